@@ -1,0 +1,79 @@
+// Degree elevation of splines with several pieces, by blossoms.
+//   elevated_knots    every knot once more
+//   elevate           the same curve with degree n + 1
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "torse/spline/curve.hpp"
+
+namespace torse {
+
+/// Each group of equal knots once more, cut to n + 1 knots up to the start and from the end of the domain. Needs a
+/// field whose zero test is decided on the knots; throws Undecided otherwise.
+template <Field S>
+KnotList<S> elevated_knots(const KnotList<S>& u) {
+  const int n = u.degree();
+  std::vector<S> raised;
+  int begin = 0;  // entries of `raised` up to and including the domain's start
+  int end = 0;    // entries before the domain's end
+  for (int i = 0; i < u.size(); ++i) {
+    const Truth closes = i + 1 == u.size() ? Truth::yes : !equal(u[i], u[i + 1]);
+    if (closes == Truth::unknown) throw Undecided("degree elevation: equality of knots is not decided");
+    if (i > 0 && definitely(equal(u[i], u.domain_end())) && !definitely(equal(u[i - 1], u.domain_end()))) {
+      end = static_cast<int>(raised.size());
+    }
+    raised.push_back(u[i]);
+    if (definitely(closes)) {
+      raised.push_back(u[i]);
+      if (definitely(equal(u[i], u.domain_begin()))) begin = static_cast<int>(raised.size());
+    }
+  }
+  const auto first = raised.begin() + (begin - (n + 1));
+  const auto last = raised.begin() + (end + n + 1);
+  return KnotList<S>(n + 1, std::vector<S>(first, last));
+}
+
+/// A proper piece of u whose polynomial determines the vertex of the finer list v that belongs to v_i..v_{i+n}: the
+/// piece of [v_i, v_{i+n}] if that is not a point, else one that touches it.
+template <Field S>
+int piece_under(const KnotList<S>& u, const KnotList<S>& v, int i) {
+  const auto index_of = [&](const S& t) {  // the last piece that starts at t, or the last that ends there
+    int found = 0;
+    for (int k : u.proper_pieces()) {
+      if (definitely(equal(u.piece_begin(k), t))) return k;
+      if (definitely(equal(u.piece_end(k), t))) found = k;
+    }
+    return found;
+  };
+  for (int j = i; j <= i + v.degree() - 1; ++j) {
+    if (const int k = index_of(v[j])) return k;
+  }
+  throw Undecided("degree elevation: no piece found under a vertex");
+}
+
+/// The same curve with degree n + 1: each vertex is the mean of the n + 1 blossoms that leave one knot out.
+template <Field S, class P>
+Spline<S, P> elevate(const Spline<S, P>& curve) {
+  const KnotList<S>& u = curve.knots;
+  const int n = u.degree();
+  KnotList<S> v = elevated_knots(u);
+  std::vector<P> points;
+  for (int i = 0; i <= v.last(); ++i) {
+    const int k = piece_under(u, v, i);
+    P mean = PointTraits<P>::zero();
+    for (int skip = 0; skip <= n; ++skip) {
+      std::vector<Parameter<S>> arguments;
+      for (int j = 0; j <= n; ++j) {
+        if (j != skip) arguments.push_back(at(v[i + j]));
+      }
+      add(mean, blossom<S, P>(u, curve.points(), k, arguments));
+    }
+    divide(mean, from_int<S>(n + 1));
+    points.push_back(std::move(mean));
+  }
+  return Spline<S, P>(std::move(v), std::move(points));
+}
+
+}  // namespace torse
