@@ -1,0 +1,53 @@
+# Installs to a scratch prefix, moves it, and lets a stranger build and run the programs of tests/consumer against it:
+# with find_package(torse), without FLINT, and with pkg-config.
+#   build, consumer, scratch, compiler, libdir    what tests/checks/CMakeLists.txt passes
+cmake_minimum_required(VERSION 3.25)
+set(prefix "${scratch}/moved here")
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(NOTICE "${output}")
+    message(FATAL_ERROR "failed: ${command}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect_output program)
+  run("${program}")
+  cmake_path(GET program FILENAME name)
+  file(READ "${consumer}/${name}.expected" expected)
+  if(NOT output STREQUAL expected)
+    message(NOTICE "printed:  ${output}expected: ${expected}")
+    message(FATAL_ERROR "wrong output: ${program}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE "${scratch}")
+run("${CMAKE_COMMAND}" --install "${build}" --prefix "${scratch}/prefix")
+file(RENAME "${scratch}/prefix" "${prefix}")
+
+set(configure "${CMAKE_COMMAND}" -G Ninja -S "${consumer}" "-DCMAKE_CXX_COMPILER=${compiler}" "-DCMAKE_PREFIX_PATH=${prefix}")
+run(${configure} -B "${scratch}/cmake")
+run("${CMAKE_COMMAND}" --build "${scratch}/cmake")
+expect_output("${scratch}/cmake/consumer")
+expect_output("${scratch}/cmake/consumer_exact")
+
+run(${configure} -B "${scratch}/plain" -DCMAKE_DISABLE_FIND_PACKAGE_FLINT=ON)
+run("${CMAKE_COMMAND}" --build "${scratch}/plain")
+expect_output("${scratch}/plain/consumer")
+if(EXISTS "${scratch}/plain/consumer_exact")
+  message(FATAL_ERROR "torse::exact was offered without FLINT")
+endif()
+
+file(MAKE_DIRECTORY "${scratch}/pkgconfig")
+set(ENV{PKG_CONFIG_PATH} "${prefix}/${libdir}/pkgconfig")
+function(build_by_pkgconfig program package)
+  run(pkg-config --cflags --libs "${package}")
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  run("${compiler}" -std=c++20 "${consumer}/${program}.cpp" ${flags} -o "${scratch}/pkgconfig/${program}")
+  expect_output("${scratch}/pkgconfig/${program}")
+endfunction()
+build_by_pkgconfig(consumer torse)
+build_by_pkgconfig(consumer_exact torse-exact)

@@ -1,0 +1,55 @@
+#!/bin/sh
+# layers.sh ROOT: every #include under src, exact, proofs and fuzz obeys the layers. Prints each violation; exit 1 if any.
+#   a lower layer never includes a higher one; exact knows scalar and algebra only; nobody but cli includes cli
+#   our own headers have one spelling, "torse/<layer>/..."; everything in quotes is ours
+#   src without cli uses the standard library and Eigen (io: nlohmann too), so no GMP, MPFR, FLINT, Arb or Boost
+set -eu
+cd "$1"
+folders=
+for folder in src exact proofs fuzz; do
+  if [ -d "$folder" ]; then folders="$folders $folder"; fi
+done
+find $folders -name '*.hpp' -o -name '*.cpp' | LC_ALL=C sort | awk '
+BEGIN {
+  may["scalar"] = "scalar"
+  may["algebra"] = may["scalar"] " algebra"
+  may["spline"] = may["algebra"] " spline"
+  may["developable"] = may["spline"] " developable"
+  may["quasi"] = may["developable"] " quasi"
+  may["io"] = may["quasi"] " io"
+  may["exact"] = may["algebra"] " exact"
+  may["proofs"] = may["fuzz"] = may["io"] " exact proofs fuzz"
+  may["cli"] = may["proofs"] " cli"
+}
+function wrong(reason) { print file ":" row ": " reason; ++violations }
+function check(layer, name, own,   part) {
+  if (own && name !~ /^torse\//) { wrong("\"" name "\": our headers are spelled \"torse/<layer>/...\", others <...>"); return }
+  if (!own && name ~ /^torse\//) { wrong("<" name ">: our headers are in quotes"); return }
+  if (own) {
+    split(name, part, "/")
+    if (index(" " may[layer] " ", " " part[2] " ") == 0) wrong(layer " may not include " name)
+  } else if (where ~ /^src\// && layer != "cli" && name !~ /^[a-z_0-9]+$/ && name !~ /^Eigen\// && !(layer == "io" && name ~ /^nlohmann\//)) {
+    wrong("<" name "> is not for src/" layer ": the standard library and Eigen only")
+  }
+}
+{
+  file = where = $0
+  layer = where
+  sub(/^src\//, "", layer)
+  sub(/\/.*/, "", layer)
+  if (!(layer in may)) { row = 1; wrong("no such layer: " layer); next }
+  ++files
+  for (row = 1; (getline text < file) > 0; ++row)
+    if (match(text, /^[ \t]*#[ \t]*include[ \t]*["<][^">]*[">]/)) {
+      ++includes
+      text = substr(text, 1, RLENGTH)
+      own = text ~ /"$/
+      sub(/^[^"<]*["<]/, "", text)
+      check(layer, substr(text, 1, length(text) - 1), own)
+    }
+  close(file)
+}
+END {
+  printf "layers: %d files, %d includes, %d violations\n", files, includes, violations
+  exit files == 0 || violations > 0
+}'
