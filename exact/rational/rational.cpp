@@ -90,7 +90,8 @@ Rational Rational::from_text(std::string_view text) {
 Rational Rational::from_mpq(mpq_srcptr q) {
   if (mpz_sgn(mpq_denref(q)) == 0) throw_division_by_zero();
   Rational r{Raw{}};
-  mpq_set(r.q_, q);
+  mpz_set(mpq_numref(r.q_), mpq_numref(q));
+  mpz_set(mpq_denref(r.q_), mpq_denref(q));
   mpq_canonicalize(r.q_);
   return r;
 }
