@@ -77,6 +77,18 @@ struct RationalFunction::Access {
     fmpq_mpoly_evaluate_all_fmpq(value, &view, point, &view_ring);
   }
 
+  /// The least k >= 0 with |i| <= 2^k.
+  static std::int64_t bits_above(const fmpz_t i) {
+    fmpz_t below;
+    fmpz_init(below);
+    fmpz_abs(below, i);
+    if (!fmpz_is_zero(below)) fmpz_sub_ui(below, below, 1);
+    const flint_bitcnt_t bits = fmpz_bits(below);
+    fmpz_clear(below);
+    return static_cast<std::int64_t>(bits);
+  }
+
+  /// The least k >= 0 with |polynomial| <= 2^k.
   static std::int64_t norm_bits(const fmpz_mpoly_struct& polynomial) {
     fmpz_t norm;
     fmpz_init(norm);
@@ -87,9 +99,9 @@ struct RationalFunction::Access {
         fmpz_sub(norm, norm, polynomial.coeffs + i);
       }
     }
-    const flint_bitcnt_t bits = fmpz_bits(norm);
+    const std::int64_t bits = bits_above(norm);
     fmpz_clear(norm);
-    return static_cast<std::int64_t>(bits);
+    return bits;
   }
 };
 
@@ -292,7 +304,7 @@ std::int64_t RationalFunction::length() const {
 Shape RationalFunction::shape() const {
   if (context_ == nullptr) {
     const fmpq* q = Access::number(*this);
-    return {0, 0, static_cast<std::int64_t>(fmpz_bits(&q->num)), static_cast<std::int64_t>(fmpz_bits(&q->den))};
+    return {0, 0, Access::bits_above(&q->num), Access::bits_above(&q->den)};
   }
   const Access::Pair* q = Access::pair(*this);
   return {fmpz_mpoly_total_degree_si(&q->num, Access::ring(*this)),
