@@ -1,0 +1,105 @@
+// The exact class of a developable ruled spline.
+//   SurfaceClass      plane, cylinder, cone, tangent, none          name_of      the word for it
+//   Classification    the class with the vertex or the direction
+//   classify          the smallest class that contains every piece
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "torse/algebra/linear_system.hpp"
+#include "torse/spline/basis.hpp"
+
+namespace torse {
+
+/// The classes of developable surfaces, and none for a surface that is not developable.
+enum class SurfaceClass { plane, cylinder, cone, tangent, none };
+
+/// The word for a class in reports.
+constexpr std::string_view name_of(SurfaceClass c) {
+  constexpr std::array<std::string_view, 5> names{"plane", "cylinder", "cone", "tangent", "none"};
+  return names[static_cast<std::size_t>(c)];
+}
+
+/// A class with what determines it: the vertex of a cone, or the direction of a cylinder's rulings (first nonzero
+/// coordinate 1). A cylinder whose rulings all have length zero has no direction.
+template <Field S>
+struct Classification {
+  SurfaceClass kind;
+  std::optional<Vec<S, 3>> vertex{};
+  std::optional<Vec<S, 3>> direction{};
+};
+
+namespace detail {
+
+/// The equations a ^ p ^ q = 0 for the common point a of all rulings of a piece: for each triple i < j < k of
+/// coordinates and each coefficient of the Pluecker coordinates l_ij = p_i q_j - p_j q_i, a_i l_jk - a_j l_ik + a_k
+/// l_ij = 0.
+template <Field S>
+void insert_incidences(Echelon<S, 4>& system, const std::array<BinaryForm<S>, 4>& p,
+                       const std::array<BinaryForm<S>, 4>& q) {
+  const auto l = [&](std::size_t i, std::size_t j) { return p[i] * q[j] - p[j] * q[i]; };
+  for (std::size_t skip = 0; skip < 4; ++skip) {
+    std::array<std::size_t, 3> t{};
+    for (std::size_t i = 0, n = 0; i < 4; ++i) {
+      if (i != skip) t[n++] = i;
+    }
+    const std::array<BinaryForm<S>, 3> opposite{l(t[1], t[2]), l(t[2], t[0]), l(t[0], t[1])};
+    for (int c = 0; c <= opposite[0].degree() && system.rank() < 4; ++c) {
+      Vec<S, 4> row = PointTraits<Vec<S, 4>>::zero();
+      for (std::size_t i = 0; i < 3; ++i) row[static_cast<int>(t[i])] = opposite[i][c];
+      system.insert(std::move(row));
+    }
+  }
+}
+
+}  // namespace detail
+
+/// The class of a ruled spline with homogeneous rows p, q that is known to be developable (condition.hpp decides that;
+/// for one that is not, the answer means nothing). Only control rows that act on a piece of positive length count.
+///   plane      they span a space of dimension at most 3: all points lie in one plane (a line, a point)
+///   cylinder   all rulings pass through one point at infinity
+///   cone       all rulings pass through one finite point
+///   tangent    neither: a tangent surface on some piece, or pieces of different planes, cylinders or cones
+/// Where p and q are proportional for every parameter the rulings have length zero and there is no surface; such a
+/// piece belongs to every class, and a spline that consists of such pieces only and is not planar counts as a cylinder
+/// without a direction. Throws Undecided where the field cannot decide a zero.
+template <Field S>
+Classification<S> classify(const KnotList<S>& u, std::span<const Vec<S, 4>> p, std::span<const Vec<S, 4>> q) {
+  const std::vector<int> pieces = u.proper_pieces();
+  Echelon<S, 4> span;
+  for (int k : pieces) {
+    for (int i = k - 1; i < k + u.degree() && span.rank() < 4; ++i) {
+      span.insert(p[static_cast<std::size_t>(i)]);
+      span.insert(q[static_cast<std::size_t>(i)]);
+    }
+  }
+  if (span.rank() < 4) return {SurfaceClass::plane};
+
+  Echelon<S, 4> incidence;
+  for (int k : pieces) {
+    if (incidence.rank() == 4) break;
+    const std::vector<BinaryForm<S>> basis = basis_forms(u, k);
+    detail::insert_incidences(incidence, piece_forms<S, 4>(basis, p, k), piece_forms<S, 4>(basis, q, k));
+  }
+  if (incidence.rank() == 4) return {SurfaceClass::tangent};
+  if (incidence.rank() == 0) return {SurfaceClass::cylinder};
+
+  // Two common points would put all rulings on one line and the surface into a plane, so the kernel is one point.
+  const Vec<S, 4> common = incidence.kernel().front();
+  Vec<S, 3> finite(common[1], common[2], common[3]);
+  if (!definitely(is_zero(common[0]))) {
+    divide(finite, S(common[0]));
+    return {.kind = SurfaceClass::cone, .vertex = finite};
+  }
+  int first = 0;
+  while (definitely(is_zero(finite[first]))) ++first;
+  divide(finite, S(finite[first]));
+  return {.kind = SurfaceClass::cylinder, .direction = finite};
+}
+
+}  // namespace torse

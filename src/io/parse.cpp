@@ -1,0 +1,169 @@
+// The tree is built from the events of nlohmann's SAX parser. The events carry no positions; an iterator that reports
+// how far the parser has read, and the separators skipped since the event before, give the start of each token.
+#include "torse/io/parse.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "torse/io/text.hpp"
+
+namespace torse {
+namespace {
+
+/// nlohmann's parser refuses numbers that overflow its floating type, so the widest one reads them; their values are
+/// never used.
+using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
+
+/// Walks over the text and tells how far it went.
+class TellingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  TellingIterator(const char* at, const char** reached) : at_(at), reached_(reached) {}
+  reference operator*() const { return *at_; }
+  TellingIterator& operator++() {
+    *reached_ = ++at_;
+    return *this;
+  }
+  friend bool operator==(const TellingIterator& a, const TellingIterator& b) { return a.at_ == b.at_; }
+  friend bool operator!=(const TellingIterator& a, const TellingIterator& b) { return a.at_ != b.at_; }
+
+ private:
+  const char* at_;
+  const char** reached_;
+};
+
+class TreeBuilder : public Json::json_sax_t {
+ public:
+  TreeBuilder(const std::string& file, std::string_view text) : file_(file), text_(text), reached_(text.data()) {}
+
+  const char** reached() { return &reached_; }
+  Node take_root() { return std::move(root_); }
+
+  bool null() override { return leaf(Node::Kind::null, "null"); }
+  bool boolean(bool value) override { return leaf(Node::Kind::boolean, value ? "true" : "false"); }
+  bool number_integer(std::int64_t) override { return number(); }
+  bool number_unsigned(std::uint64_t) override { return number(); }
+  bool number_float(long double, const std::string&) override { return number(); }
+  bool string(std::string& value) override { return leaf(Node::Kind::string, std::move(value)); }
+  bool binary(Json::binary_t&) override { fail("expected JSON text, found binary data"); }
+  bool start_object(std::size_t) override { return open(Node::Kind::object); }
+  bool start_array(std::size_t) override { return open(Node::Kind::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(std::string& name) override {
+    find_token();
+    std::vector<std::string>& keys = open_.back()->keys;
+    if (std::ranges::find(keys, name) != keys.end())
+      fail("expected each key once, found " + in_quotes(name) + " again");
+    if (keys.size() == limits::keys) fail("expected at most " + std::to_string(limits::keys) + " keys, found more");
+    keys.push_back(std::move(name));
+    end_token();
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
+    token_ = std::min(position > 0 ? position - 1 : 0, text_.size());
+    if (error.id == 406)
+      fail("expected a number below 1e4932 (a string may hold a larger one), found " + number_text());
+    // The exception says "[...] parse error at line L, column C: syntax error while parsing X - reason; more".
+    const std::string what = error.what();
+    const std::size_t reason = what.find(" - ");
+    std::string text = reason == std::string::npos ? what : what.substr(reason + 3);
+    if (const std::size_t last = text.find("; last read: '"); last != std::string::npos) {
+      const std::size_t end = text.rfind('\'');
+      const std::string read = text.substr(last + 14, end - last - 14);
+      text = text.substr(0, last) + " after " + in_quotes(read) + text.substr(end + 1);
+    }
+    fail("expected JSON, found " + printable(text));
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    const TextPosition at = position_of(text_, token_);
+    throw FileError(file_, "", at.line, at.column, reason);
+  }
+
+  void find_token() { token_ = std::min(text_.find_first_not_of(" \t\r\n,:\xEF\xBB\xBF", end_), text_.size()); }
+  void end_token() { end_ = static_cast<std::size_t>(reached_ - text_.data()); }
+
+  std::string number_text() const {
+    const std::size_t end = std::min(text_.find_first_not_of("+-.0123456789eE", token_), text_.size());
+    return std::string(text_.substr(token_, end - token_));
+  }
+  bool number() {
+    find_token();
+    return leaf(Node::Kind::number, number_text());
+  }
+
+  bool leaf(Node::Kind kind, std::string text) {
+    place({kind, 0, std::move(text)});
+    end_token();
+    return true;
+  }
+
+  bool open(Node::Kind kind) {
+    Node* node = place({kind, 0});
+    if (open_.size() == limits::depth) {
+      fail("expected arrays and objects at most " + std::to_string(limits::depth) + " deep, found deeper ones");
+    }
+    open_.push_back(node);
+    end_token();
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    end_token();
+    return true;
+  }
+
+  Node* place(Node node) {
+    find_token();
+    if (++values_ > limits::values) {
+      fail("expected at most " + std::to_string(limits::values) + " values, found more");
+    }
+    node.offset = token_;
+    if (open_.empty()) {
+      root_ = std::move(node);
+      return &root_;
+    }
+    return &open_.back()->items.emplace_back(std::move(node));
+  }
+
+  const std::string& file_;
+  std::string_view text_;
+  const char* reached_;
+  std::size_t token_ = 0;
+  std::size_t end_ = 0;
+  std::size_t values_ = 0;
+  Node root_;
+  std::vector<Node*> open_;
+};
+
+}  // namespace
+
+TextPosition position_of(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, std::min(offset, text.size()));
+  const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+  return {static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1, before.size() - line_start + 1};
+}
+
+Node parse_json(const std::string& file, std::string_view text) {
+  if (text.empty()) throw FileError(file, "expected JSON, found an empty file");
+  TreeBuilder builder(file, text);
+  const TellingIterator first(text.data(), builder.reached());
+  const TellingIterator last(text.data() + text.size(), builder.reached());
+  Json::sax_parse(first, last, &builder);
+  return builder.take_root();
+}
+
+}  // namespace torse

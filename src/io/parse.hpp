@@ -1,0 +1,26 @@
+// The JSON parser behind Document.
+//   parse_json       text -> tree
+//   TextPosition, position_of      line and column of an offset
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "torse/io/document.hpp"
+
+namespace torse {
+
+/// A line and a column, counted from 1; columns count bytes.
+struct TextPosition {
+  std::size_t line;
+  std::size_t column;
+};
+
+/// Where the byte at `offset` stands.
+TextPosition position_of(std::string_view text, std::size_t offset);
+
+/// The tree of a JSON text. Throws FileError for syntax errors, duplicate keys and what is beyond limits.hpp.
+Node parse_json(const std::string& file, std::string_view text);
+
+}  // namespace torse
