@@ -9,11 +9,9 @@
 #include <utility>
 
 #include "torse/scalar/errors.hpp"
+#include "torse/scalar/int128.hpp"
 
 namespace torse {
-
-__extension__ typedef __int128 int128;
-__extension__ typedef unsigned __int128 uint128;
 
 /// A rational number num/den with den > 0 in lowest terms. `from_int<Zp>(3) / from_int<Zp>(4)` is one until it meets an
 /// element of some Z/p, which tells it the modulus. Operations throw Error where a result leaves 64 bits: such a

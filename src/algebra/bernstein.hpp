@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "torse/algebra/binary_form.hpp"
+#include "torse/scalar/int128.hpp"
 
 namespace torse {
 
@@ -19,7 +20,7 @@ S binomial(int n, int k) {
   if (k < 0 || k > n) return from_int<S>(0);
   if (n <= 61) {
     std::int64_t value = 1;
-    for (int i = 1; i <= k; ++i) value = static_cast<std::int64_t>(static_cast<__int128>(value) * (n - k + i) / i);
+    for (int i = 1; i <= k; ++i) value = static_cast<std::int64_t>(static_cast<int128>(value) * (n - k + i) / i);
     return from_int<S>(value);
   }
   std::vector<S> row{from_int<S>(1)};

@@ -1,0 +1,17 @@
+// The explicit list of all claims: no registration, nothing for a linker to drop.
+#include "torse/proofs/claims/fj07/list.hpp"
+#include "torse/proofs/claims/fj21/list.hpp"
+#include "torse/proofs/table.hpp"
+
+namespace torse::proofs {
+
+const std::vector<const ClaimInfo*>& all_claims() {
+  static const std::vector<const ClaimInfo*> all = [] {
+    std::vector<const ClaimInfo*> list = fj07::Claims::infos();
+    for (const ClaimInfo* info : fj21::Claims::infos()) list.push_back(info);
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace torse::proofs

@@ -1,0 +1,14 @@
+#include "torse/exact/bigfloat/bigfloat.hpp"
+#include "torse/proofs/claims/fj07/list.hpp"
+#include "torse/proofs/models.hpp"
+
+namespace torse::proofs {
+
+template <class S>
+std::vector<ClaimCase<S>> fj07_cases() {
+  return fj07::Claims::cases<S>();
+}
+
+template std::vector<ClaimCase<BigFloat<113>>> fj07_cases<BigFloat<113>>();
+
+}  // namespace torse::proofs

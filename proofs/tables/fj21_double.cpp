@@ -1,0 +1,14 @@
+#include "torse/proofs/claims/fj21/list.hpp"
+#include "torse/proofs/models.hpp"
+#include "torse/scalar/builtin.hpp"
+
+namespace torse::proofs {
+
+template <class S>
+std::vector<ClaimCase<S>> fj21_cases() {
+  return fj21::Claims::cases<S>();
+}
+
+template std::vector<ClaimCase<double>> fj21_cases<double>();
+
+}  // namespace torse::proofs

@@ -1,0 +1,13 @@
+#include "torse/proofs/claims/fj21/list.hpp"
+#include "torse/proofs/models.hpp"
+
+namespace torse::proofs {
+
+template <class S>
+std::vector<ClaimCase<S>> fj21_cases() {
+  return fj21::Claims::cases<S>();
+}
+
+template std::vector<ClaimCase<Faulty<Rational>>> fj21_cases<Faulty<Rational>>();
+
+}  // namespace torse::proofs
