@@ -259,7 +259,8 @@ TYPED_TEST_P(FieldLaws, Ratios) {
   EXPECT_TRUE(same<S>(ratio<S>(1, 2) + ratio<S>(1, 2), this->one()));
   EXPECT_TRUE(same<S>(ratio<S>(-3, 4) * from_int<S>(4), from_int<S>(-3)));
   EXPECT_TRUE(same<S>(ratio<S>(6, -8), ratio<S>(-3, 4)));
-  EXPECT_EQ(equal(ratio<S>(1, 2), ratio<S>(1, 4)), Truth::no);
+  const Truth half_is_quarter = equal(ratio<S>(1, 2), ratio<S>(1, 4));
+  EXPECT_FALSE(Samples<S>::decided ? possibly(half_is_quarter) : definitely(half_is_quarter));
 }
 
 TYPED_TEST_P(FieldLaws, DivisionByZeroThrows) {
@@ -267,7 +268,7 @@ TYPED_TEST_P(FieldLaws, DivisionByZeroThrows) {
   if constexpr (Samples<S>::throws_on_zero) {
     this->for_any([&](const S& a, const S& b, const S&) {
       S y = a;
-      EXPECT_THROW(static_cast<void>(a / (b - b)), DivisionByZero);
+      EXPECT_THROW(static_cast<void>(a / (b * this->zero())), DivisionByZero);
       EXPECT_THROW(y /= this->zero(), DivisionByZero);
       EXPECT_TRUE(same<S>(y, a));
     });
