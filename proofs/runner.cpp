@@ -55,6 +55,7 @@ int rank(Status status) {
 const Finding* Entry::decisive() const {
   const Finding* best = nullptr;
   for (const Finding& finding : findings) {
+    if (finding.engine == "mutation" && findings.size() > 1) continue;
     if (best == nullptr || rank(finding.status) > rank(best->status)) best = &finding;
   }
   return best;

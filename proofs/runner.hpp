@@ -29,7 +29,8 @@ struct Entry {
   /// The strongest thing that may be said: Refuted if any engine refutes; otherwise Proved, Supported, Bounded in this
   /// order; GaveUp or Undecided if nothing else.
   Status status() const;
-  /// The finding that earns status(); none if there are no findings.
+  /// The finding that earns status(); none if there are no findings. The mutation engine speaks of the tests' sharpness,
+  /// not of the claim, and earns a status only where it ran alone.
   const Finding* decisive() const;
   /// The mutation engine's scores, zero where it did not run.
   Score mutants() const;

@@ -49,7 +49,7 @@ struct Eq13 {
     for (int k : u.proper_pieces()) {
       const auto [c0, c1] = last_pair<S, P>(u, c, k, in.t);
       const auto [e0, e1] = last_pair<S, P>(u, d, k, in.t);
-      equations.zero(dependence_residual<P>({c0, c1, e0, e1}));
+      equations.zero(dependence_residual(std::array<P, 4>{c0, c1, e0, e1}));
     }
   }
 };
