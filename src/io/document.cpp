@@ -106,6 +106,10 @@ FileError Document::error(const std::string& place, const std::string& reason) c
   return error(node, reason);
 }
 
+FileError Document::error(const InvalidInput& invalid) const {
+  return error(invalid.place(), std::string(invalid.what()).substr(invalid.place().size() + 2));
+}
+
 void Value::fail(const std::string& reason) const {
   throw document_->error(node_, reason);
 }

@@ -69,6 +69,8 @@ class Document {
   FileError error(const Node* node, const std::string& reason) const;
   /// The error at a place such as "knots[3]", or at its nearest ancestor that exists.
   FileError error(const std::string& place, const std::string& reason) const;
+  /// The error of a library function whose places are members of this document.
+  FileError error(const InvalidInput& invalid) const;
 
  private:
   std::string file_;

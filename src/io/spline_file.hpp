@@ -131,7 +131,7 @@ KnotList<S> read_knots(const Document& document, const Value& object, const Valu
   try {
     return KnotList<S>::from_list(degree, count - 1, list);
   } catch (const InvalidInput& invalid) {
-    throw document.error("knots", std::string(invalid.what()));
+    throw document.error("knots", invalid.what());
   }
 }
 

@@ -1,0 +1,41 @@
+// What a subcommand of the program is, and the exit codes.
+//   Command          its name, its line in the help, how it defines its options
+//   exit_code        0 all hold, 1 refuted, 2 usage or unreadable input, 3 undecided
+//   UsageError       a wrong option: exit code 2 with a hint at --help
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <functional>
+#include <string_view>
+
+#include "torse/scalar/errors.hpp"
+
+namespace torse::cli {
+
+/// A subcommand. `define` adds the options to the subcommand's parser and returns the action, which runs when the
+/// command line is parsed and returns the exit code.
+struct Command {
+  std::string_view name;
+  std::string_view summary;
+  std::function<int()> (*define)(CLI::App& app);
+};
+
+namespace exit_code {
+inline constexpr int success = 0;
+inline constexpr int refuted = 1;
+inline constexpr int unusable = 2;
+inline constexpr int undecided = 3;
+}  // namespace exit_code
+
+/// A command line that parses but makes no sense.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The subcommands, a file each.
+std::function<int()> define_check(CLI::App& app);
+std::function<int()> define_construct(CLI::App& app);
+
+}  // namespace torse::cli

@@ -1,0 +1,34 @@
+// The exact verdict on a ruled surface.
+//   Judgement        verdict, class, witness
+//   judge            the determinant decides, then the class
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "torse/developable/classify.hpp"
+#include "torse/developable/condition.hpp"
+#include "torse/exact/rational/rational.hpp"
+#include "torse/io/spline_file.hpp"
+
+namespace torse::cli {
+
+/// What is known of a surface. `witness` is there iff it is not developable.
+struct Judgement {
+  Classification<Rational> classification;
+  std::optional<DevelopabilityWitness<Rational>> witness;
+
+  bool developable() const { return !witness.has_value(); }
+};
+
+/// Decides a surface exactly: the affine determinant of degree 3(n-1) if all weights are 1, else the homogeneous one of
+/// degree 4(n-1).
+Judgement judge(const RuledFile<Rational>& surface);
+
+/// The witness in words: "piece 2, u from 1/3 to 1: coefficient 3 of the determinant is -1/7".
+std::string describe(const DevelopabilityWitness<Rational>& witness, const KnotList<Rational>& knots);
+
+/// The class in words, with its vertex or direction: "cone, vertex (0, 1/2, 3)".
+std::string describe(const Classification<Rational>& classification);
+
+}  // namespace torse::cli

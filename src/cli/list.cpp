@@ -1,0 +1,64 @@
+// torse list: the claims, or the engines, with their titles.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "torse/cli/claims.hpp"
+#include "torse/cli/command.hpp"
+#include "torse/cli/terminal.hpp"
+#include "torse/io/file.hpp"
+#include "torse/proofs/engines/engine.hpp"
+#include "torse/proofs/table.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ListOptions {
+  bool engines = false;
+  std::vector<std::string> papers;
+  std::string json;
+};
+
+bool chosen(const ListOptions& options, const proofs::ClaimInfo& info) {
+  if (options.papers.empty()) return true;
+  for (const std::string& paper : options.papers) {
+    if (info.paper() == paper) return true;
+  }
+  return false;
+}
+
+int run_list(const ListOptions& options) {
+  require_known("--paper", options.papers, paper_ids());
+  Json claims = Json::array();
+  Json engines = Json::array();
+  std::string text;
+  for (const proofs::ClaimInfo* info : proofs::all_claims()) {
+    if (!chosen(options, *info)) continue;
+    claims.push_back({{"id", info->id}, {"paper", info->paper()}, {"source", info->source}, {"title", info->title}});
+    if (!options.engines) text += fmt::format("{:<11} {:<28} {}\n", info->id, info->source, info->title);
+  }
+  for (const proofs::Engine& engine : proofs::engines()) {
+    engines.push_back({{"name", engine.name}, {"scalar", engine.scalar}, {"may_say", engine.may_say}});
+    if (options.engines) text += fmt::format("{:<9} {}: {}\n", engine.name, engine.scalar, engine.may_say);
+  }
+  if (!options.json.empty()) {
+    write_file(options.json, Json{{"torse", 1}, {"claims", claims}, {"engines", engines}}.dump(1) + "\n");
+  }
+  if (options.json != "-") Terminal(stdout).print(text);
+  return exit_code::success;
+}
+
+}  // namespace
+
+std::function<int()> define_list(CLI::App& app) {
+  const auto options = std::make_shared<ListOptions>();
+  app.add_flag("--engines", options->engines, "the engines instead of the claims");
+  app.add_option("--paper", options->papers, "only this paper's claims (repeatable)");
+  app.add_option("--json", options->json, "write the list as JSON, - for standard output");
+  return [options] { return run_list(*options); };
+}
+
+}  // namespace torse::cli
