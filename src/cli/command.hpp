@@ -7,7 +7,9 @@
 #include <CLI/App.hpp>
 
 #include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "torse/scalar/errors.hpp"
 
@@ -37,5 +39,13 @@ class UsageError : public Error {
 /// The subcommands, a file each.
 std::function<int()> define_check(CLI::App& app);
 std::function<int()> define_construct(CLI::App& app);
+std::function<int()> define_example(CLI::App& app);
+std::function<int()> define_explain(CLI::App& app);
+std::function<int()> define_list(CLI::App& app);
+std::function<int()> define_replay(CLI::App& app);
+std::function<int()> define_verify(CLI::App& app);
+
+/// Runs the program on these words (without the program's name) and returns its exit code.
+int run_program(const std::vector<std::string>& words);
 
 }  // namespace torse::cli

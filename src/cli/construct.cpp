@@ -75,6 +75,9 @@ int run_construct(const ConstructOptions& options) {
   } catch (const NoSolution& none) {
     print_error(std::string(none.what()) + "\n  replay: " + replay);
     return exit_code::refuted;
+  } catch (const FileError& error) {
+    print_error(std::string(error.what()) + "\n  replay: " + replay);
+    return exit_code::unusable;
   }
 }
 

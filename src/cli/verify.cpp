@@ -111,7 +111,10 @@ std::string message_of(const Entry& entry) {
 }
 
 ReportCase case_of(const Entry& entry, const proofs::Plan& plan) {
-  ReportCase c{.suite = "verify", .name = std::string(entry.info->id), .outcome = outcome_of(entry)};
+  ReportCase c;
+  c.suite = "verify";
+  c.name = entry.info->id;
+  c.outcome = outcome_of(entry);
   c.message = message_of(entry);
   c.replay = proofs::replay_command(culprit(entry), plan);
   c.rule = std::string(entry.info->id);
@@ -130,10 +133,10 @@ void print_entry(const Terminal& terminal, const Entry& entry, const proofs::Pla
   const std::string bound =
       modular != nullptr && modular->error_log2 ? fmt::format("2^{:.0f}", *modular->error_log2) : "-";
   const bool printed_is_wrong = std::ranges::any_of(entry.info->hypotheses, [](const auto& h) { return !h.stated; });
+  const std::string status = fmt::format("{}{}", proofs::status_name(entry.status()), printed_is_wrong ? "*" : "");
   terminal.print(fmt::format(
       "{:<11} {} {:<22} {:>7} {:>6} {:>11}  {}\n", entry.info->id,
-      terminal.painted(paint_of(entry), fmt::format("{:<10}", proofs::status_name(entry.status()) +
-                                                                  std::string(printed_is_wrong ? "*" : ""))),
+      terminal.painted(paint_of(entry), fmt::format("{:<10}", status)),
       proofs::sizes_text(entry.decisive()->sizes), bound, score_text(entry.mutants()), score_text(entry.faults()),
       entry.info->title));
   if (outcome_of(entry) == Outcome::passed) return;

@@ -1,0 +1,103 @@
+// The program torse: parses the command line and runs one subcommand.
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "torse/cli/command.hpp"
+#include "torse/cli/suggest.hpp"
+#include "torse/cli/terminal.hpp"
+#include "torse/cli/version.hpp"
+
+namespace torse::cli {
+namespace {
+
+/// A new subcommand is one line here and its declaration in command.hpp.
+constexpr Command commands[] = {
+    {"verify", "run the papers' claims in every arithmetic", define_verify},
+    {"list", "list the claims or the engines", define_list},
+    {"explain", "a claim's statement, hypotheses and wrong variants", define_explain},
+    {"replay", "run a failing case from its file again", define_replay},
+    {"example", "the papers' worked examples, printed beside computed values", define_example},
+    {"check", "decide exactly whether ruled surfaces are developable, and their class", define_check},
+    {"construct", "make a developable surface through a curve", define_construct},
+};
+
+/// The word that the parser did not expect with the nearest one it knows.
+std::string unknown_word(const CLI::App& app) {
+  const CLI::App* scope = &app;
+  for (const CLI::App* used : app.get_subcommands()) scope = used;
+  std::vector<std::string> known;
+  for (const CLI::Option* option : scope->get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  if (scope == &app) {
+    for (const Command& command : commands) known.emplace_back(command.name);
+  }
+  const std::vector<std::string> left = scope->remaining(true);
+  const std::string word = left.empty() ? "" : left.front();
+  return "unexpected word " + command_line({word}) + suggestion(word.substr(0, word.find('=')), known);
+}
+
+int report_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const bool unknown = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  print_error(unknown ? unknown_word(app) : error.what());
+  std::string help = "torse";
+  for (const CLI::App* used : app.get_subcommands()) help += " " + used->get_name();
+  Terminal(stderr).print("try: " + help + " --help\n");
+  return exit_code::unusable;
+}
+
+int run(std::vector<std::string> words) {
+  CLI::App app("Construct, check and prove developable ruled spline surfaces in exact arithmetic.", "torse");
+  app.set_version_flag("--version", std::string("torse ") + version, "print the version");
+  app.set_help_flag("-h,--help", "print this help");
+  app.footer(
+      "Exit codes: 0 all hold, 1 refuted, 2 usage or unreadable input, 3 undecided.\n"
+      "Help on a command: torse COMMAND --help");
+  app.require_subcommand(0, 1);
+  std::vector<std::pair<CLI::App*, std::function<int()>>> actions;
+  for (const Command& command : commands) {
+    CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
+    actions.emplace_back(sub, command.define(*sub));
+  }
+  try {
+    std::ranges::reverse(words);
+    app.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return report_usage(app, error);
+  }
+  for (const auto& [sub, action] : actions) {
+    if (sub->parsed()) return action();
+  }
+  Terminal(stderr).print(app.help());
+  return exit_code::unusable;
+}
+
+/// Runs the program; every error becomes one line and an exit code.
+int guarded(std::vector<std::string> words) {
+  try {
+    return run(std::move(words));
+  } catch (const Undecided& error) {
+    print_error(error.what());
+    return exit_code::undecided;
+  } catch (const std::bad_alloc&) {
+    print_error("out of memory");
+  } catch (const std::exception& error) {
+    print_error(error.what());
+  }
+  return exit_code::unusable;
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& words) {
+  return guarded(words);
+}
+
+}  // namespace torse::cli

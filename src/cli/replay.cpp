@@ -1,0 +1,82 @@
+// torse replay: a file with a failing case, run again without any random choice of its own. The file is a report of
+// torse verify (every finding that failed runs again with its seed), a surface (checked) or a construction (made, checked).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "torse/cli/command.hpp"
+#include "torse/cli/terminal.hpp"
+#include "torse/io/file.hpp"
+#include "torse/io/spline_file.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Whether a finding of a report is one that fails or decides nothing.
+bool failed(const Json& finding) {
+  const std::string status = finding.value("status", "");
+  return status == "Refuted" || status == "GaveUp" || status == "Undecided" ||
+         !finding.value("survivors", Json::array()).empty();
+}
+
+/// The commands that run the failed findings of a report again.
+std::vector<std::vector<std::string>> commands_of(const std::string& file, const Json& report) {
+  std::vector<std::vector<std::string>> commands;
+  try {
+    for (const Json& claim : report.at("claims")) {
+      for (const Json& finding : claim.at("engines")) {
+        if (!failed(finding)) continue;
+        commands.push_back({"verify", "--claim", claim.at("id").get<std::string>(), "--engine",
+                            finding.at("engine").get<std::string>(), "--effort", report.at("effort").get<std::string>(),
+                            "--seed", std::to_string(report.at("seed").get<std::uint64_t>())});
+      }
+    }
+  } catch (const Json::exception& error) {
+    throw FileError(file, std::string("expected a report of torse verify --json, found ") + error.what());
+  }
+  return commands;
+}
+
+/// Runs the commands in order; the worst exit code wins.
+int run_commands(const std::vector<std::vector<std::string>>& commands) {
+  const Terminal terminal(stdout);
+  int worst = exit_code::success;
+  for (const std::vector<std::string>& command : commands) {
+    terminal.print(terminal.painted(Paint::dim, "torse " + command_line(command)) + "\n");
+    worst = std::max(worst, run_program(command));
+  }
+  return worst;
+}
+
+int run_replay(const std::string& file) {
+  const std::string text = read_file(file);
+  const Json report = Json::parse(text, nullptr, false);
+  if (!report.is_discarded() && report.is_object() && report.contains("claims")) {
+    const auto commands = commands_of(file, report);
+    if (commands.empty()) Terminal(stdout).print("nothing failed in this report\n");
+    return run_commands(commands);
+  }
+  const Document document(file, text);
+  const std::string& type = file_type(document);
+  if (type == "ruled") return run_commands({{"check", file}});
+  if (type == "construct") {
+    return run_commands({{"construct", document.root().at("method").string(), file, "-o", "-"}});
+  }
+  document.root().at("type").expected("\"ruled\", \"construct\" or a report of torse verify");
+}
+
+}  // namespace
+
+std::function<int()> define_replay(CLI::App& app) {
+  const auto file = std::make_shared<std::string>();
+  app.add_option("FILE", *file, "a report of torse verify, a surface or a construction")->required();
+  return [file] { return run_replay(*file); };
+}
+
+}  // namespace torse::cli
