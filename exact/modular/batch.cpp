@@ -50,8 +50,10 @@ std::string Batch::text() const {
   if (undefined_ == ~LaneMask{0}) return "?";
   if (modulus_ == nullptr) return constant_.text();
   std::string s = "[";
-  for (int i = 0; i < shown; ++i) s += ((undefined_ >> i) & 1 ? "?" : std::to_string(value(i))) + ", ";
-  return s + "...]";
+  for (int i = 0; i < shown; ++i) {
+    s.append((undefined_ >> i) & 1 ? "?" : std::to_string(value(i))).append(", ");
+  }
+  return s.append("...]");
 }
 
 }  // namespace torse

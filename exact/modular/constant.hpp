@@ -28,7 +28,11 @@ struct Constant {
   }
 
   /// "num" or "num/den".
-  std::string text() const { return std::to_string(num) + (den == 1 ? "" : "/" + std::to_string(den)); }
+  std::string text() const {
+    std::string s = std::to_string(num);
+    if (den != 1) s.append("/").append(std::to_string(den));
+    return s;
+  }
 
   friend Constant operator+(Constant a, Constant b) {
     Constant r;
