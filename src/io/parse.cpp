@@ -3,6 +3,7 @@
 #include "torse/io/parse.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -71,25 +72,46 @@ class TreeBuilder : public Json::json_sax_t {
   }
 
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
-    token_ = std::min(position > 0 ? position - 1 : 0, text_.size());
-    if (error.id == 406)
-      fail("expected a number below 1e4932 (a string may hold a larger one), found " + number_text());
-    // The exception says "[...] parse error at line L, column C: syntax error while parsing X - reason; more".
-    const std::string what = error.what();
-    const std::size_t reason = what.find(" - ");
-    std::string text = reason == std::string::npos ? what : what.substr(reason + 3);
-    if (const std::size_t last = text.find("; last read: '"); last != std::string::npos) {
-      const std::size_t end = text.rfind('\'');
-      const std::string read = text.substr(last + 14, end - last - 14);
-      text = text.substr(0, last) + " after " + in_quotes(read) + text.substr(end + 1);
+    constexpr int overflow = 406;
+    if (error.id == overflow) {
+      find_token();
+      fail("expected a number below 1e4932 (a string may hold a larger one), found " + in_quotes(number_text()));
     }
-    fail("expected JSON, found " + printable(text));
+    token_ = std::min(position > 0 ? position - 1 : 0, text_.size());
+    fail(syntax_reason(error.what()));
   }
 
  private:
   [[noreturn]] void fail(const std::string& reason) const {
     const TextPosition at = position_of(text_, token_);
     throw FileError(file_, "", at.line, at.column, reason);
+  }
+
+  /// nlohmann says "[...] syntax error while parsing X - found; last read: '...'; expected Y"; this is said as
+  /// everywhere else, with the text at the error instead of all that was read.
+  std::string syntax_reason(const std::string& what) const {
+    const std::size_t begin = what.find(" - ") == std::string::npos ? 0 : what.find(" - ") + 3;
+    const std::size_t end = std::min(what.find("; last read: '", begin), what.size());
+    const std::size_t wanted = what.rfind("; expected ");
+    std::string found = what.substr(begin, what.find(';', begin) - begin);
+    if (found.starts_with("unexpected ")) found.erase(0, 11);
+    std::string expected = "JSON";
+    if (wanted != std::string::npos)
+      expected = what.substr(wanted + 11, wanted < end ? end - wanted - 11 : what.size());
+    return "expected " + printable(expected) + ", found " + printable(found) + near();
+  }
+
+  /// The text from the start of the word at the error.
+  std::string near() const {
+    constexpr std::size_t longest = 24;
+    if (token_ >= text_.size()) return "";
+    std::size_t start = token_;
+    const auto in_word = [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.';
+    };
+    while (start > 0 && token_ - start < longest && in_word(text_[start - 1])) --start;
+    const std::string_view line = text_.substr(start, text_.find('\n', start) - start);
+    return " near " + in_quotes(line.substr(0, longest));
   }
 
   void find_token() { token_ = std::min(text_.find_first_not_of(" \t\r\n,:\xEF\xBB\xBF", end_), text_.size()); }
