@@ -65,7 +65,7 @@ Finding run_ball(std::size_t index, const Plan& plan) {
       DyadicSource<Box> source(seed_of(plan.seed, task, static_cast<std::uint64_t>(trial)), widened);
       Sample<Box> sample;
       bool admitted = true;
-      claim.run(source, size, Mutant(), sample, [&](const NonZero<Box>& nonzero) {
+      claim.run(source, size, Mutant(plan.mutant), sample, [&](const NonZero<Box>& nonzero) {
         for (const auto& factors : nonzero) {
           for (const Box& factor : factors) admitted = admitted && !possibly(is_zero(factor));
         }

@@ -59,6 +59,8 @@ struct Finding {
 struct Plan {
   Effort effort = Effort::standard;
   std::uint64_t seed = 1;
+  /// A wrong variant to run in the place of the claim: the tests of the engines themselves.
+  int mutant = 0;
 };
 
 /// A finding to fill in, of the claim in the engine.

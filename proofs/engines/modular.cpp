@@ -41,10 +41,10 @@ struct Bounds {
   double hypothesis_degree = 0;
 };
 
-Bounds bounds_of(const ClaimCase<Degree>& claim, Size size) {
+Bounds bounds_of(const ClaimCase<Degree>& claim, Size size, Mutant mutant) {
   FieldSource<Degree> source([](int) { return Degree::input(); });
   Sample<Degree> sample;
-  claim.run(source, size, Mutant(), sample, [](const NonZero<Degree>&) { return true; });
+  claim.run(source, size, mutant, sample, [](const NonZero<Degree>&) { return true; });
   Bounds bounds;
   for (const Equation<Degree>& equation : sample.equations.list()) {
     const Degree rest = equation.lhs - equation.rhs;
@@ -73,12 +73,12 @@ struct Trial {
   bool asserted = false;
 };
 
-Trial try_prime(const ClaimCase<Batch>& claim, Size size, Rng& rng) {
+Trial try_prime(const ClaimCase<Batch>& claim, Size size, Mutant mutant, Rng& rng) {
   const Modulus modulus = random_prime(rng);
   FieldSource<Batch> source([&](int) { return Batch::draw(modulus, rng); });
   Sample<Batch> sample;
   Trial trial;
-  claim.run(source, size, Mutant(), sample, [&](const NonZero<Batch>& nonzero) {
+  claim.run(source, size, mutant, sample, [&](const NonZero<Batch>& nonzero) {
     for (const auto& factors : nonzero) {
       for (const Batch& factor : factors) trial.valid &= factor.nonzero();
     }
@@ -102,12 +102,12 @@ Finding run_modular(std::size_t index, const Plan& plan) {
   double total = 0;
   Bounds worst;
   for (const Size size : sizes_for(*claim.info, wanted(plan.effort))) {
-    const Bounds bounds = bounds_of(claim_cases<Degree>()[index], size);
+    const Bounds bounds = bounds_of(claim_cases<Degree>()[index], size, Mutant(plan.mutant));
     Rng rng(seed_of(plan.seed, finding.claim + "/modular/" + std::to_string(size.n) + "/" + std::to_string(size.pieces)));
     double error = 0;
     int empty = 0;
     while (error > target) {
-      const Trial trial = try_prime(claim, size, rng);
+      const Trial trial = try_prime(claim, size, Mutant(plan.mutant), rng);
       const int lanes = std::popcount(trial.valid);
       if (!trial.asserted || lanes == 0 || error_log2(bounds, lanes) >= 0) {
         if (++empty < 10) continue;

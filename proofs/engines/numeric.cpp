@@ -114,7 +114,7 @@ Finding run_numeric(std::size_t index, const Plan& plan) {
       DyadicSource<Rational> source(seed);
       Sample<Rational> sample;
       bool admitted = true;
-      claim.run(source, size, Mutant(), sample, [&](const NonZero<Rational>& nonzero) {
+      claim.run(source, size, Mutant(plan.mutant), sample, [&](const NonZero<Rational>& nonzero) {
         for (const auto& factors : nonzero) admitted = admitted && holds(factors);
         return admitted;
       });

@@ -51,7 +51,7 @@ Finding run_rational(std::size_t index, const Plan& plan) {
       const std::string task = finding.claim + "/rational/" + std::to_string(size.n) + "/" + std::to_string(size.pieces);
       FractionSource<Rational> source(seed_of(plan.seed, task, static_cast<std::uint64_t>(draw)),
                                       static_cast<Temper>(draw % tempers));
-      const Verdict verdict = run_once(claim, source, size, Mutant());
+      const Verdict verdict = run_once(claim, source, size, Mutant(plan.mutant));
       if (!verdict.admitted) {
         ++finding.discards;
         continue;

@@ -36,7 +36,7 @@ Finding run_symbolic(std::size_t index, const Plan& plan) {
     for (int i = count_parameters(claim, size); i >= 0; --i) names.push_back("x" + std::to_string(names.size()));
     const SymbolicContext context(names);
     FieldSource<RationalFunction> source([&](int i) { return context.variable(i); });
-    const Verdict verdict = run_once(claim, source, size, Mutant());
+    const Verdict verdict = run_once(claim, source, size, Mutant(plan.mutant));
     ++finding.trials;
     if (!verdict.admitted || !verdict.agrees) {
       finding.status = verdict.admitted ? Status::refuted : Status::gave_up;
