@@ -81,13 +81,18 @@ Rational from_arf(const arf_t x) {
   return result;
 }
 
-RealRoot interval_of(const arb_t x) {
+/// The ball as an interval, rounded outwards to the precision, so that its ends are short numbers.
+RealRoot interval_of(const arb_t x, slong precision) {
   arf_t lower, upper;
+  arb_t rounded;
   arf_init(lower);
   arf_init(upper);
-  arb_get_lbound_arf(lower, x, ARF_PREC_EXACT);
-  arb_get_ubound_arf(upper, x, ARF_PREC_EXACT);
+  arb_init(rounded);
+  arb_set_round(rounded, x, precision);
+  arb_get_lbound_arf(lower, rounded, ARF_PREC_EXACT);
+  arb_get_ubound_arf(upper, rounded, ARF_PREC_EXACT);
   RealRoot root{from_arf(lower), from_arf(upper)};
+  arb_clear(rounded);
   arf_clear(lower);
   arf_clear(upper);
   return root;
@@ -149,11 +154,14 @@ std::optional<std::vector<RealRoot>> roots_at(IntegerPolynomial& f, slong precis
       roots.push_back({*exact, *exact});
       continue;
     }
-    RealRoot root = interval_of(acb_realref(z));
+    RealRoot root = interval_of(acb_realref(z), precision);
     if (open || root.rational() || !narrow(root, tolerance)) return std::nullopt;
     roots.push_back(std::move(root));
   }
   std::ranges::sort(roots, {}, &RealRoot::lower);
+  for (std::size_t i = 1; i < roots.size(); ++i) {
+    if (roots[i].lower <= roots[i - 1].upper) return std::nullopt;
+  }
   return roots;
 }
 
@@ -168,7 +176,7 @@ std::vector<RealRoot> real_roots(const std::vector<Rational>& coefficients, int 
   if (fmpz_poly_degree(f.get()) == 0) return {};
   Rational tolerance(1);
   for (int i = 0; i < bits; ++i) tolerance /= Rational(2);
-  for (slong precision = bits + 64;; precision *= 2) {
+  for (slong precision = bits + 16;; precision *= 2) {
     if (std::optional<std::vector<RealRoot>> roots = roots_at(f, precision, tolerance)) return *std::move(roots);
   }
 }

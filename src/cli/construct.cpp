@@ -92,9 +92,7 @@ std::function<int()> define_construct(CLI::App& app) {
   app.add_option("-o,--output", options->output, "the ruled surface to write; - is standard output")
       ->type_name("FILE")
       ->required();
-  app.add_option("--branch", options->branch, "which solution of interpolate to write")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  app.add_option("--branch", options->branch, "which solution of interpolate to write")->capture_default_str();
   return [options] { return run_construct(*options); };
 }
 

@@ -100,7 +100,7 @@ Construction skew(const ConstructFile<Q>& input, int branch) {
   }
   const std::vector<RealRoot> roots = find_branches(input);
   if (roots.empty()) throw NoSolution("no branch: every real root of the polynomial in M* is a knot, or there is none");
-  if (branch > static_cast<int>(roots.size())) {
+  if (branch < 1 || branch > static_cast<int>(roots.size())) {
     throw UsageError(fmt::format("--branch: expected a number from 1 to {}, found {}", roots.size(), branch));
   }
   const std::size_t chosen = static_cast<std::size_t>(branch) - 1;
