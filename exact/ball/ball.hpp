@@ -13,11 +13,10 @@
 
 namespace torse {
 
-/// A ball [midpoint +/- radius] whose midpoint carries Bits bits. Division by a ball that contains zero gives a ball that
-/// is not finite (it contains everything and decides nothing); division by exactly zero throws DivisionByZero.
+/// A ball [midpoint +/- radius] whose midpoint carries Bits bits. Division by a ball that contains zero gives a ball
+/// that is not finite (it contains everything and decides nothing); division by exactly zero throws DivisionByZero.
 template <int Bits>
-  requires(Bits >= 2)
-class Ball {
+requires(Bits >= 2) class Ball {
  public:
   /// Exactly zero.
   Ball() = default;
@@ -85,6 +84,7 @@ template <int Bits>
 struct ScalarTraits<Ball<Bits>> {
   static constexpr std::string_view name = "ball";
   static constexpr bool exact = false;
+  static constexpr bool decided = false;
   static constexpr bool ordered = true;
   static constexpr bool prefers_reciprocal = false;
 

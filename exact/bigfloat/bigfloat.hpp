@@ -161,6 +161,7 @@ template <int Bits>
 struct ScalarTraits<BigFloat<Bits>> {
   static constexpr std::string_view name{detail::bits_text<Bits>.data(), detail::bits_text<Bits>.size()};
   static constexpr bool exact = false;
+  static constexpr bool decided = true;
   static constexpr bool ordered = true;
   static constexpr bool prefers_reciprocal = false;
 

@@ -35,7 +35,7 @@ class CountingScope {
   ~CountingScope() { current() = outer_; }
 
   /// Adds one to a kind of operation, where a scope lives.
-  static void count(std::int64_t Tally::* kind) {
+  static void count(std::int64_t Tally::*kind) {
     if (Tally* const tally = current()) ++(tally->*kind);
   }
 
@@ -81,7 +81,7 @@ class Counting {
   }
 
  private:
-  Counting& apply(std::int64_t Tally::* kind, const S&) {
+  Counting& apply(std::int64_t Tally::*kind, const S&) {
     CountingScope::count(kind);
     return *this;
   }
@@ -93,6 +93,7 @@ template <class S>
 struct ScalarTraits<Counting<S>> {
   static constexpr std::string_view name = "counting";
   static constexpr bool exact = ScalarTraits<S>::exact;
+  static constexpr bool decided = ScalarTraits<S>::decided;
   static constexpr bool ordered = ScalarTraits<S>::ordered;
   static constexpr bool prefers_reciprocal = ScalarTraits<S>::prefers_reciprocal;
 
@@ -101,24 +102,17 @@ struct ScalarTraits<Counting<S>> {
     CountingScope::count(&Tally::comparisons);
     return torse::is_zero(x.value());
   }
-  static Truth less(const Counting<S>& x, const Counting<S>& y)
-    requires OrderedField<S>
-  {
+  static Truth less(const Counting<S>& x, const Counting<S>& y) requires OrderedField<S> {
     CountingScope::count(&Tally::comparisons);
     return torse::less(x.value(), y.value());
   }
-  static Counting<S> sqrt(const Counting<S>& x)
-    requires RealField<S>
-  {
+  static Counting<S> sqrt(const Counting<S>& x) requires RealField<S> {
     CountingScope::count(&Tally::square_roots);
     return Counting<S>(ScalarTraits<S>::sqrt(x.value()));
   }
   static void add_product(Counting<S>& y, const Counting<S>& a, const Counting<S>& b) { y.add_product(a, b); }
-  static auto weight(const Counting<S>& x)
-    requires requires(const S& s) { ScalarTraits<S>::weight(s); }
-  {
-    return ScalarTraits<S>::weight(x.value());
-  }
+  static auto weight(const Counting<S>& x) requires requires(const S& s) { ScalarTraits<S>::weight(s); }
+  { return ScalarTraits<S>::weight(x.value()); }
   static std::string text(const Counting<S>& x) { return as_text(x.value()); }
 };
 

@@ -50,7 +50,8 @@ class UpperBound {
  private:
   UpperBound(double value, bool is_exact, std::int64_t exponent) {
     int shift = 0;
-    mantissa_ = 2 * std::frexp(is_exact ? value : std::nextafter(value, std::numeric_limits<double>::infinity()), &shift);
+    mantissa_ =
+        2 * std::frexp(is_exact ? value : std::nextafter(value, std::numeric_limits<double>::infinity()), &shift);
     exponent_ = exponent + shift - 1;
   }
 
@@ -67,16 +68,17 @@ class UpperBound {
 ///   from_int(i)  a constant: degree 0, norm |i|; 0 is kept as a known zero, +-1 as the empty product.
 ///   x y, x / y   exponents add or subtract. An atom that cancels was divided by, so it is not the zero polynomial and
 ///                does not vanish at a point where the computation ran to its end.
-///   x +- y       g (r +- s), with g the product of the atoms to the smaller of their two exponents: x = +-g r, y = +-g s
+///   x +- y       g (r +- s), with g the product of the atoms to the smaller of their two exponents: x = +-g r, y = +-g
+///   s
 ///                with polynomials r, s. The new atom +-r +-s has degree <= max(deg r, deg s) and norm <= |r| + |s|.
 ///                Equal denominators thus stay as they are and different ones give their least common multiple.
 /// For products, deg(a b) <= deg a + deg b and |a b| <= |a| |b|.
 ///
-/// So at every point where the computation runs, the value in a field of prime order p is N/D for integer polynomials N,
-/// D with deg N <= numerator_degree() and |N| <= 2^numerator_bits(), and D does not vanish there. If N is not the zero
-/// polynomial, it is zero modulo at most numerator_bits() / log2 p of the primes p and larger ones; modulo any other, at
-/// most deg N / #S of all points with coordinates in S are zeros of N. Points where the computation divides by zero are
-/// points less, so the error per accepted point is deg N / #S over the fraction that is accepted.
+/// So at every point where the computation runs, the value in a field of prime order p is N/D for integer polynomials
+/// N, D with deg N <= numerator_degree() and |N| <= 2^numerator_bits(), and D does not vanish there. If N is not the
+/// zero polynomial, it is zero modulo at most numerator_bits() / log2 p of the primes p and larger ones; modulo any
+/// other, at most deg N / #S of all points with coordinates in S are zeros of N. Points where the computation divides
+/// by zero are points less, so the error per accepted point is deg N / #S over the fraction that is accepted.
 class Degree {
  public:
   /// Zero.
@@ -223,6 +225,7 @@ template <>
 struct ScalarTraits<Degree> {
   static constexpr std::string_view name = "degree";
   static constexpr bool exact = true;
+  static constexpr bool decided = false;
   static constexpr bool ordered = false;
   static constexpr bool prefers_reciprocal = false;
 

@@ -96,28 +96,22 @@ template <class S>
 struct ScalarTraits<Faulty<S>> {
   static constexpr std::string_view name = "faulty";
   static constexpr bool exact = ScalarTraits<S>::exact;
+  static constexpr bool decided = ScalarTraits<S>::decided;
   static constexpr bool ordered = ScalarTraits<S>::ordered;
   static constexpr bool prefers_reciprocal = ScalarTraits<S>::prefers_reciprocal;
 
   static Faulty<S> from_int(std::int64_t i) { return Faulty<S>(torse::from_int<S>(i)); }
   static Truth is_zero(const Faulty<S>& x) { return torse::is_zero(x.value()); }
-  static Truth less(const Faulty<S>& x, const Faulty<S>& y)
-    requires OrderedField<S>
-  {
+  static Truth less(const Faulty<S>& x, const Faulty<S>& y) requires OrderedField<S> {
     return torse::less(x.value(), y.value());
   }
-  static Faulty<S> sqrt(const Faulty<S>& x)
-    requires RealField<S>
-  {
+  static Faulty<S> sqrt(const Faulty<S>& x) requires RealField<S> {
     S root = ScalarTraits<S>::sqrt(x.value());
     FaultScope<S>::pass(root);
     return Faulty<S>(std::move(root));
   }
-  static auto weight(const Faulty<S>& x)
-    requires requires(const S& s) { ScalarTraits<S>::weight(s); }
-  {
-    return ScalarTraits<S>::weight(x.value());
-  }
+  static auto weight(const Faulty<S>& x) requires requires(const S& s) { ScalarTraits<S>::weight(s); }
+  { return ScalarTraits<S>::weight(x.value()); }
   static std::string text(const Faulty<S>& x) { return as_text(x.value()); }
 };
 

@@ -172,6 +172,7 @@ template <>
 struct ScalarTraits<Batch> {
   static constexpr std::string_view name = "(Z/p)^64";
   static constexpr bool exact = true;
+  static constexpr bool decided = false;
   static constexpr bool ordered = false;
   static constexpr bool prefers_reciprocal = true;
 

@@ -93,6 +93,7 @@ template <>
 struct ScalarTraits<Zp> {
   static constexpr std::string_view name = "Z/p";
   static constexpr bool exact = true;
+  static constexpr bool decided = true;
   static constexpr bool ordered = false;
   static constexpr bool prefers_reciprocal = true;
 

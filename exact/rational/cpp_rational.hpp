@@ -87,6 +87,7 @@ template <>
 struct ScalarTraits<CppRational> {
   static constexpr std::string_view name = "Q (cpp_rational)";
   static constexpr bool exact = true;
+  static constexpr bool decided = true;
   static constexpr bool ordered = true;
   static constexpr bool prefers_reciprocal = false;
 

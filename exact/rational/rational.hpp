@@ -208,6 +208,7 @@ template <>
 struct ScalarTraits<Rational> {
   static constexpr std::string_view name = "Q";
   static constexpr bool exact = true;
+  static constexpr bool decided = true;
   static constexpr bool ordered = true;
   static constexpr bool prefers_reciprocal = false;
 

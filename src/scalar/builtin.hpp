@@ -19,6 +19,7 @@ struct ScalarTraits<S> {
                                            : std::same_as<S, double> ? "double"
                                                                      : "long double";
   static constexpr bool exact = false;
+  static constexpr bool decided = true;
   static constexpr bool ordered = true;
   static constexpr bool prefers_reciprocal = false;
 

@@ -25,6 +25,7 @@ concept Ring = std::semiregular<S> && requires(const S& a, const S& b, S& y) {
   { ScalarTraits<S>::text(a) } -> std::convertible_to<std::string>;
   { ScalarTraits<S>::name } -> std::convertible_to<std::string_view>;
   { ScalarTraits<S>::exact } -> std::convertible_to<bool>;
+  { ScalarTraits<S>::decided } -> std::convertible_to<bool>;
 };
 
 /// A ring with division; dividing by a known zero throws DivisionByZero (floating scalars follow IEEE 754 instead).
@@ -48,6 +49,6 @@ concept RealField = OrderedField<S> && requires(const S& a) {
 
 /// A field whose zero test is always decided and whose operations never round.
 template <class S>
-concept ExactField = Field<S> && ScalarTraits<S>::exact;
+concept ExactField = Field<S> && ScalarTraits<S>::exact && ScalarTraits<S>::decided;
 
 }  // namespace torse

@@ -15,6 +15,7 @@ namespace torse {
 /// The table of a scalar type. A specialisation has
 ///   static constexpr std::string_view name;      a short name, "double", "Q", ...
 ///   static constexpr bool exact;                 no operation rounds
+///   static constexpr bool decided;               is_zero (and less) never answer unknown
 ///   static constexpr bool ordered;               `less` is there and the field is ordered
 ///   static constexpr bool prefers_reciprocal;    x/a, y/a, z/a cost less as one reciprocal and three products
 ///   static S from_int(std::int64_t);             the image of an integer

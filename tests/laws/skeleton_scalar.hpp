@@ -57,6 +57,7 @@ template <>
 struct ScalarTraits<Skeleton> {
   static constexpr std::string_view name = "skeleton";
   static constexpr bool exact = false;
+  static constexpr bool decided = true;
   static constexpr bool ordered = true;
   static constexpr bool prefers_reciprocal = false;
 
