@@ -45,8 +45,8 @@ class SymbolicContext {
   std::unique_ptr<Ring> ring_;
 };
 
-/// Total degrees, and the least k >= 0 such that the 1-norm (the sum of the absolute values of the integer coefficients)
-/// is <= 2^k, of the reduced numerator and denominator. The degree of zero is 0.
+/// Total degrees, and the least k >= 0 such that the 1-norm (the sum of the absolute values of the integer
+/// coefficients) is <= 2^k, of the reduced numerator and denominator. The degree of zero is 0.
 struct Shape {
   std::int64_t numerator_degree;
   std::int64_t denominator_degree;
@@ -161,6 +161,7 @@ template <>
 struct ScalarTraits<RationalFunction> {
   static constexpr std::string_view name = "Q(x)";
   static constexpr bool exact = true;
+  static constexpr bool decided = true;
   static constexpr bool ordered = false;
   static constexpr bool prefers_reciprocal = false;
 
