@@ -1,5 +1,5 @@
 // Determinants without division, in any commutative ring.
-//   det2, det3, det4
+//   det2, det3, det4        dot, cross
 #pragma once
 
 #include "torse/algebra/eigen.hpp"
@@ -11,6 +11,25 @@ namespace torse {
 template <class S>
 S det2(const S& a, const S& b, const S& c, const S& d) {
   return a * d - b * c;
+}
+
+/// a . b.
+template <class S>
+S dot(const Vec<S, 3>& a, const Vec<S, 3>& b) {
+  S value = a[0] * b[0];
+  add_product(value, a[1], b[1]);
+  add_product(value, a[2], b[2]);
+  return value;
+}
+
+/// a x b.
+template <class S>
+Vec<S, 3> cross(const Vec<S, 3>& a, const Vec<S, 3>& b) {
+  Vec<S, 3> c;
+  c[0] = det2(a[1], a[2], b[1], b[2]);
+  c[1] = det2(a[2], a[0], b[2], b[0]);
+  c[2] = det2(a[0], a[1], b[0], b[1]);
+  return c;
 }
 
 /// [a, b, c] = a . (b x c).

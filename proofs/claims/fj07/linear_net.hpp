@@ -1,19 +1,33 @@
 // FJ07, section 3: the linear construction (13) and its closed forms (14), (15), (16).
+//   Eq13, Eq14, Eq15, Eq16
 #pragma once
 
 #include <vector>
 
-#include "torse/algebra/dependence.hpp"
 #include "torse/developable/closed_forms.hpp"
-#include "torse/proofs/inputs.hpp"
+#include "torse/proofs/claims/fj07/common.hpp"
 
 namespace torse::proofs::fj07 {
 
-/// FJ07.13 with Corollary 2: the net of the linear recursion obeys (13) and its surface is developable.
+/// FJ07.13: the net of the linear recursion obeys (13) and its surface is developable.
 struct Eq13 {
   static constexpr PointKind points = PointKind::coplanar;
   static constexpr int dimension = 3;
-  static const ClaimInfo& info();
+  static const ClaimInfo& info() {
+    static const ClaimInfo value{
+        .id = "FJ07.13",
+        .source = "equation (13)",
+        .title = "the linear construction",
+        .statement = R"(For every $c$, $d_0$, $\Lambda^*$, $M^*$ there is one net with
+$(u_{i+n}-\Lambda^*)c_i+(\Lambda^*-u_i)c_{i+1}=(u_{i+n}-M^*)d_i+(M^*-u_i)d_{i+1}$, $i=0..L-1$, and its surface is
+developable.)",
+        .kind = Kind::identity,
+        .hypotheses = {off_before_last, off_from_last},
+        .mutants = {"the last vertex reflected", "L* and M* exchanged", "u_{i+n} shifted in the last cell"},
+        .remark = "L* = M* is a cylinder, d_0 = c_0 and L* at a knot are allowed. M* matters at all knots up to u_{L-1}, "
+                  "those outside the domain included."};
+    return value;
+  }
 
   template <class S, class P>
   struct In {
@@ -26,10 +40,13 @@ struct Eq13 {
     NetInput<S, P> net = draw_net<S, P>(from, size);
     return {std::move(net), from.scalar()};
   }
-
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>& in) {
-    return {off_knots(in.net.u, in.net.m)};
+    return {before_last(in.net.u, in.net.m), from_last(in.net.u, in.net.m)};
+  }
+  template <class S, class P>
+  static std::vector<Failure<In<S, P>>> failures() {
+    return {{0, {example_net<S, P>(1), from_int<S>(4)}}, {1, {example_net<S, P>(2), from_int<S>(4)}}};
   }
 
   template <class S, class P>
@@ -38,7 +55,7 @@ struct Eq13 {
     std::vector<P> d = linear_net<S, P>(u, c, lambda, m, d0);
     if (mutant.is(1)) d.back() = combine(from_int<S>(2), d.back(), from_int<S>(-1), d.front());
     if (mutant.is(2)) d = linear_net<S, P>(u, c, m, lambda, d0);
-    if (mutant.is(3)) {  // (13) with u_{i+n-1} in the place of u_{i+n}
+    if (mutant.is(3)) {
       std::vector<S> shifted = u.list();
       shifted.back() += from_int<S>(1);
       d = linear_net<S, P>(KnotList<S>(u.degree(), shifted), c, lambda, m, d0);
@@ -46,31 +63,44 @@ struct Eq13 {
     for (int i = 0; i < u.last(); ++i) {
       equations.equal(cell_point<S, P>(u, c, i, lambda), cell_point<S, P>(u, d, i, m));
     }
-    for (int k : u.proper_pieces()) {
-      const auto [c0, c1] = last_pair<S, P>(u, c, k, in.t);
-      const auto [e0, e1] = last_pair<S, P>(u, d, k, in.t);
-      equations.zero(dependence_residual(std::array<P, 4>{c0, c1, e0, e1}));
-    }
+    require_coplanar<S, P>(u, c, d, in.t, equations);
   }
 };
 
-/// FJ07.16: the closed form by differences of c, against the recursion (13), for every vertex.
-struct Eq16 {
+/// What the closed forms share: inputs, hypotheses and failures.
+struct ClosedForm {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
-  static const ClaimInfo& info();
 
   template <class S, class P>
   using In = NetInput<S, P>;
-
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
     return draw_net<S, P>(from, size);
   }
-
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>& in) {
-    return {off_knots(in.u, in.m)};
+    return {before_last(in.u, in.m), from_last(in.u, in.m)};
+  }
+  template <class S, class P>
+  static std::vector<Failure<In<S, P>>> failures() {
+    return net_failures<S, P>();
+  }
+};
+
+/// FJ07.14: the closed form of d_N, against the recursion (13), for every vertex.
+struct Eq14 : ClosedForm {
+  static const ClaimInfo& info() {
+    static const ClaimInfo value{
+        .id = "FJ07.14",
+        .source = "equation (14)",
+        .title = "every vertex in closed form",
+        .statement = R"($d_N=P(0,N)d_0+\frac{u_n-\Lambda^*}{M^*-u_0}P(1,N)c_0+\frac{\Lambda^*-u_{N-1}}{M^*-u_{N-1}}c_N
++\frac{M^*-\Lambda^*}{M^*-u_{N-1}}\sum_{i=1}^{N-1}\frac{u_{i+n}-u_{i-1}}{M^*-u_{i-1}}Q(i,N)c_i$ for $N=1..L$.)",
+        .kind = Kind::identity,
+        .hypotheses = {off_before_last, off_from_last},
+        .mutants = {"L* and M* exchanged", "the sign of d_0", "the vertex before"}};
+    return value;
   }
 
   template <class S, class P>
@@ -78,10 +108,67 @@ struct Eq16 {
     const auto& [u, c, d0, lambda, m] = in;
     const std::vector<P> d = linear_net<S, P>(u, c, lambda, m, d0);
     for (int vertex = 1; vertex <= u.last(); ++vertex) {
-      P ruling = eq16<S, P>(u, c, mutant.is(1) ? m : lambda, mutant.is(1) ? lambda : m, d0, vertex);
+      const P start = mutant.is(2) ? scaled(from_int<S>(-1), d0) : d0;
+      const P closed = eq14<S, P>(u, c, mutant.is(1) ? m : lambda, mutant.is(1) ? lambda : m, start,
+                                  mutant.is(3) && vertex > 1 ? vertex - 1 : vertex);
+      equations.equal(d[static_cast<std::size_t>(vertex)], closed);
+    }
+  }
+};
+
+/// FJ07.15: d_N - c_N sorted by L*-M*, against the recursion (13), for every vertex.
+struct Eq15 : ClosedForm {
+  static const ClaimInfo& info() {
+    static const ClaimInfo value{
+        .id = "FJ07.15",
+        .source = "equation (15)",
+        .title = "every ruling, sorted by L*-M*",
+        .statement = R"($d_N-c_N=P(0,N)(d_0-c_0)+\frac{\Lambda^*-M^*}{M^*-u_{N-1}}\{c_N
+-\frac{M^*-u_{N-1}}{M^*-u_0}P(1,N)c_0-\sum_{i=1}^{N-1}\frac{u_{i+n}-u_{i-1}}{M^*-u_{i-1}}Q(i,N)c_i\}$, $N=1..L$.)",
+        .kind = Kind::identity,
+        .hypotheses = {off_before_last, off_from_last},
+        .mutants = {"M*-L* in the place of L*-M*", "d_0 in the place of d_0-c_0", "c_N in the place of d_N-c_N"}};
+    return value;
+  }
+
+  template <class S, class P>
+  static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
+    const auto& [u, c, d0, lambda, m] = in;
+    const std::vector<P> d = linear_net<S, P>(u, c, lambda, m, d0);
+    for (int vertex = 1; vertex <= u.last(); ++vertex) {
+      const std::size_t at = static_cast<std::size_t>(vertex);
+      const P closed = eq15<S, P>(u, c, mutant.is(1) ? m + m - lambda : lambda, m,
+                                  mutant.is(2) ? sum(d0, c.front()) : d0, vertex);
+      equations.equal(mutant.is(3) ? c[at] : difference(d[at], c[at]), closed);
+    }
+  }
+};
+
+/// FJ07.16: the closed form by differences of c, against the recursion (13), for every vertex.
+struct Eq16 : ClosedForm {
+  static const ClaimInfo& info() {
+    static const ClaimInfo value{
+        .id = "FJ07.16",
+        .source = "equation (16)",
+        .title = "every ruling by differences of the polygon",
+        .statement = R"($d_N-c_N=P(0,N)(d_0-c_0)+(\Lambda^*-M^*)\sum_{i=0}^{N-1}P(i+1,N)\frac{c_{i+1}-c_i}{M^*-u_i}$ for
+$N=1..L$.)",
+        .kind = Kind::identity,
+        .hypotheses = {off_before_last, off_from_last},
+        .mutants = {"L* and M* exchanged", "the sign of the ruling", "the neighbouring vertex"}};
+    return value;
+  }
+
+  template <class S, class P>
+  static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
+    const auto& [u, c, d0, lambda, m] = in;
+    const std::vector<P> d = linear_net<S, P>(u, c, lambda, m, d0);
+    for (int vertex = 1; vertex <= u.last(); ++vertex) {
+      const std::size_t at = static_cast<std::size_t>(vertex);
+      P ruling = eq16<S, P>(u, c, mutant.is(1) ? m : lambda, mutant.is(1) ? lambda : m, d0,
+                            !mutant.is(3) ? vertex : vertex > 1 ? vertex - 1 : u.last());
       if (mutant.is(2)) scale(ruling, from_int<S>(-1));
-      if (mutant.is(3)) ruling = eq16<S, P>(u, c, lambda, m, d0, vertex - 1 > 0 ? vertex - 1 : vertex + 1);
-      equations.equal(difference(d[static_cast<std::size_t>(vertex)], c[static_cast<std::size_t>(vertex)]), ruling);
+      equations.equal(difference(d[at], c[at]), ruling);
     }
   }
 };
