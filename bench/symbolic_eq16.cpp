@@ -1,10 +1,10 @@
-// The proof of FJ07.16 for all vertices with every knot, L*, M* and control point an indeterminate, n = 3: the library's
-// recursion and closed form over rational functions against the same linear forms written directly on FLINT.
+// The proof of FJ07.16 for all vertices with every knot, L*, M* and control point an indeterminate, n = 3: the
+// library's recursion and closed form over rational functions against the same linear forms written directly on FLINT.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
-#include <utility>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "torse/algebra/free_module.hpp"
@@ -132,7 +132,9 @@ class HandWritten {
   std::vector<Fraction> u_, d_, e_;
 };
 
-bool prove_by_hand(int last) { return HandWritten(last).prove(); }
+bool prove_by_hand(int last) {
+  return HandWritten(last).prove();
+}
 
 void run(benchmark::State& state, bool (*prove)(int)) {
   for (auto _ : state) {

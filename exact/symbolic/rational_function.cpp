@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "torse/exact/symbolic/flint_headers.hpp"
+#include "torse/exact/symbolic/simple_fraction.hpp"
 #include "torse/scalar/errors.hpp"
 
 namespace torse {
@@ -52,6 +53,28 @@ struct RationalFunction::Access {
     compute(pair(z), ring(context));
     if (fmpz_mpoly_q_is_fmpq(pair(z), ring(context))) demote(z);
     return z;
+  }
+
+  static void multiply(Pair* z, const Pair* x, const Pair* y, const fmpz_mpoly_ctx_struct* ring) {
+    if (is_simple(y, ring)) {
+      detail::multiply_by_simple(z, x, &y->num, &y->den, ring);
+    } else if (is_simple(x, ring)) {
+      detail::multiply_by_simple(z, y, &x->num, &x->den, ring);
+    } else {
+      fmpz_mpoly_q_mul(z, x, y, ring);
+    }
+  }
+
+  static void divide(Pair* z, const Pair* x, const Pair* y, const fmpz_mpoly_ctx_struct* ring) {
+    if (is_simple(y, ring)) {
+      detail::multiply_by_simple(z, x, &y->den, &y->num, ring);
+    } else {
+      fmpz_mpoly_q_div(z, x, y, ring);
+    }
+  }
+
+  static bool is_simple(const Pair* x, const fmpz_mpoly_ctx_struct* ring) {
+    return detail::is_simple(&x->num, ring) && detail::is_simple(&x->den, ring);
   }
 
   /// A pair that holds a constant becomes a number.
@@ -173,7 +196,9 @@ RationalFunction& RationalFunction::operator=(const RationalFunction& x) {
   return *this;
 }
 
-void RationalFunction::construct() { fmpq_init(Access::number(*this)); }
+void RationalFunction::construct() {
+  fmpq_init(Access::number(*this));
+}
 
 void RationalFunction::construct(std::int64_t i) {
   construct();
@@ -268,7 +293,7 @@ RationalFunction& RationalFunction::set_product(const RationalFunction& x, const
     } else if (y.context_ == nullptr) {
       fmpz_mpoly_q_mul_fmpq(z, A::pair(x), A::number(y), ring);
     } else {
-      fmpz_mpoly_q_mul(z, A::pair(x), A::pair(y), ring);
+      A::multiply(z, A::pair(x), A::pair(y), ring);
     }
   });
 }
@@ -289,12 +314,14 @@ RationalFunction& RationalFunction::set_quotient(const RationalFunction& x, cons
     } else if (y.context_ == nullptr) {
       fmpz_mpoly_q_div_fmpq(z, A::pair(x), A::number(y), ring);
     } else {
-      fmpz_mpoly_q_div(z, A::pair(x), A::pair(y), ring);
+      A::divide(z, A::pair(x), A::pair(y), ring);
     }
   });
 }
 
-bool RationalFunction::is_zero() const { return context_ == nullptr && fmpq_is_zero(Access::number(*this)) != 0; }
+bool RationalFunction::is_zero() const {
+  return context_ == nullptr && fmpq_is_zero(Access::number(*this)) != 0;
+}
 
 std::int64_t RationalFunction::length() const {
   if (context_ == nullptr) return is_zero() ? 1 : 2;

@@ -82,8 +82,8 @@ std::vector<S> coefficients_or_zero(const Form<S>& form) {
 }  // namespace detail
 
 /// The coefficients left in the fourth form by Gaussian elimination with the other three; all of them vanish iff the
-/// forms are dependent. Where some form has a nonzero sum of coefficients, as points have, that is the case iff the four
-/// points are coplanar for every choice of the generators in R^3. Throws Undecided where a pivot is needed and no
+/// forms are dependent. Where some form has a nonzero sum of coefficients, as points have, that is the case iff the
+/// four points are coplanar for every choice of the generators in R^3. Throws Undecided where a pivot is needed and no
 /// coefficient is certainly nonzero.
 template <class S>
 std::vector<S> dependence_residual(std::array<Form<S>, 4> rows) {
@@ -102,8 +102,7 @@ std::vector<S> dependence_residual(std::array<Form<S>, 4> rows) {
 
 /// The 2x2 minors p_i q_j - p_j q_i, i < j; all of them vanish iff p and q are parallel (or one of them is zero).
 template <class S, int D>
-  requires(D >= 2)
-std::vector<S> proportional_residual(const Vec<S, D>& p, const Vec<S, D>& q) {
+requires(D >= 2) std::vector<S> proportional_residual(const Vec<S, D>& p, const Vec<S, D>& q) {
   std::vector<S> minors;
   for (int i = 0; i < D; ++i) {
     for (int j = i + 1; j < D; ++j) minors.push_back(det2<S>(p[i], p[j], q[i], q[j]));

@@ -117,9 +117,9 @@ TEST_F(DependenceTest, FormsAgreeWithTheirPoints) {
     }
     std::vector<Vec<Rational, 4>> generators;
     for (int i = 0; i < 5; ++i) generators.push_back(point<4>());
-    const bool points_dependent = vanishes(
-        dependence_residual(std::array{substituted(forms[0], generators), substituted(forms[1], generators),
-                                       substituted(forms[2], generators), substituted(forms[3], generators)}));
+    const bool points_dependent =
+        vanishes(dependence_residual(std::array{substituted(forms[0], generators), substituted(forms[1], generators),
+                                                substituted(forms[2], generators), substituted(forms[3], generators)}));
     const bool forms_dependent = vanishes(dependence_residual(forms));
     if (forms_dependent) {
       EXPECT_TRUE(points_dependent);
@@ -128,8 +128,9 @@ TEST_F(DependenceTest, FormsAgreeWithTheirPoints) {
     // The generators above are in general position but for a few of the trials; new ones settle those.
     for (int retry = 0; retry < 3 && points_dependent && !forms_dependent; ++retry) {
       for (auto& g : generators) g = point<4>();
-      if (!vanishes(dependence_residual(std::array{substituted(forms[0], generators), substituted(forms[1], generators), substituted(forms[2], generators),
-               substituted(forms[3], generators)}))) {
+      if (!vanishes(
+              dependence_residual(std::array{substituted(forms[0], generators), substituted(forms[1], generators),
+                                             substituted(forms[2], generators), substituted(forms[3], generators)}))) {
         break;
       }
       EXPECT_LT(retry, 2);

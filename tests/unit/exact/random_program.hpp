@@ -26,10 +26,18 @@ struct Program {
       const S& x = values[step.left];
       const S& y = values[step.right];
       switch (step.operation) {
-        case '+': values.push_back(x + y); break;
-        case '-': values.push_back(x - y); break;
-        case '*': values.push_back(x * y); break;
-        default: values.push_back(x / y); break;
+        case '+':
+          values.push_back(x + y);
+          break;
+        case '-':
+          values.push_back(x - y);
+          break;
+        case '*':
+          values.push_back(x * y);
+          break;
+        default:
+          values.push_back(x / y);
+          break;
       }
     }
     return values;
