@@ -1,0 +1,166 @@
+// The class of surfaces whose class is known from how they were made: points put on a plane, along a direction, through
+// a vertex, on tangents; and degenerate nets. The expected vertices and directions are inputs, not results of library
+// code.
+#include "torse/developable/classify.hpp"
+
+#include <gtest/gtest.h>
+
+#include "torse/developable/condition.hpp"
+#include "torse/exact/rational/rational.hpp"
+#include "torse/spline/curve.hpp"
+
+namespace torse {
+namespace {
+
+using Q = Rational;
+using Point3 = Vec<Q, 3>;
+
+Point3 point(int x, int y, int z) {
+  return Point3(Q(x), Q(y), Q(z));
+}
+
+/// A surface by its affine rows and weights.
+struct Net {
+  KnotList<Q> knots;
+  WeightedPoints<Q, 3> c;
+  WeightedPoints<Q, 3> d;
+
+  Classification<Q> classified() const { return classify<Q>(knots, homogeneous(c), homogeneous(d)); }
+  bool developable() const { return !find_witness<Q, 4>(knots, homogeneous(c), homogeneous(d)); }
+};
+
+Net net(std::vector<Point3> c, std::vector<Point3> d) {
+  const int n = static_cast<int>(c.size()) - 1;
+  const std::vector<Q> ones(c.size(), Q(1));
+  return {bezier_knots<Q>(n), {std::move(c), ones}, {std::move(d), ones}};
+}
+
+const KnotList<Q> two_pieces(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2)});
+
+const std::vector<Point3> cubic{point(0, 0, 0), point(1, 3, 0), point(2, 1, 5), point(7, 2, 1)};
+
+TEST(Classify, PlaneWhateverTheRulings) {
+  // z = x + 2y - 1, with weights
+  const auto on_plane = [](int x, int y) { return point(x, y, x + 2 * y - 1); };
+  Net plane = net({on_plane(0, 0), on_plane(5, 1), on_plane(-2, 3)}, {on_plane(1, 8), on_plane(2, 2), on_plane(9, -4)});
+  plane.d.weights = {Q(3), Q(-1), Q(2)};
+  EXPECT_TRUE(plane.developable());
+  EXPECT_EQ(plane.classified().kind, SurfaceClass::plane);
+}
+
+TEST(Classify, CylinderWithRulingsOfAnyLengths) {
+  std::vector<Point3> d = cubic;
+  const int lengths[] = {1, 0, -4, 3};
+  for (std::size_t i = 0; i < 4; ++i) add_scaled(d[i], Q(lengths[i]), point(2, -6, 4));
+  const Classification<Q> found = net(cubic, d).classified();
+  EXPECT_EQ(found.kind, SurfaceClass::cylinder);
+  ASSERT_TRUE(found.direction.has_value());
+  EXPECT_TRUE(*found.direction == point(1, -3, 2));
+  EXPECT_FALSE(found.vertex.has_value());
+}
+
+TEST(Classify, CylinderAlongAnAxis) {
+  std::vector<Point3> d = cubic;
+  for (Point3& x : d) add(x, point(0, 0, -5));
+  const Classification<Q> found = net(cubic, d).classified();
+  EXPECT_EQ(found.kind, SurfaceClass::cylinder);
+  EXPECT_TRUE(found.direction.value() == point(0, 0, 1));
+}
+
+TEST(Classify, ConeByItsVertexAlsoBetweenDifferentWeights) {
+  const Point3 vertex = point(3, -2, 11);
+  Net cone = net(cubic, {});
+  cone.c.weights = {Q(1), Q(2), Q(5), Q(-3)};
+  // Rows q_i = p_i + k_i (1, vertex) put every q(t) on the line of p(t) and the vertex.
+  const int multiples[] = {1, 4, -2, 1};
+  std::vector<Vec<Q, 4>> q = homogeneous(cone.c);
+  for (std::size_t i = 0; i < 4; ++i) {
+    add_scaled(q[i], Q(multiples[i]), Vec<Q, 4>(Q(1), vertex[0], vertex[1], vertex[2]));
+  }
+  cone.d = dehomogenize<Q, 4>(q);
+  EXPECT_TRUE(cone.developable());
+  const Classification<Q> found = cone.classified();
+  EXPECT_EQ(found.kind, SurfaceClass::cone);
+  EXPECT_TRUE(found.vertex.value() == vertex);
+}
+
+TEST(Classify, ConeWhoseSecondRowIsItsVertex) {
+  const Classification<Q> found = net(cubic, std::vector<Point3>(4, point(1, 1, 1))).classified();
+  EXPECT_EQ(found.kind, SurfaceClass::cone);
+  EXPECT_TRUE(found.vertex.value() == point(1, 1, 1));
+}
+
+TEST(Classify, TangentSurfaceOfTheTwistedCubic) {
+  // c = (t, t^2, t^3), d = c + c': Bezier points by hand.
+  const Q third = ratio<Q>(1, 3);
+  const std::vector<Point3> c{point(0, 0, 0), Point3(third, Q(0), Q(0)), Point3(third + third, third, Q(0)),
+                              point(1, 1, 1)};
+  const std::vector<Point3> d{point(1, 0, 0), Point3(Q(1) + third, third + third, Q(0)),
+                              Point3(Q(1) + third + third, Q(1) + third + third, Q(1)), point(2, 3, 4)};
+  const Net tangent = net(c, d);
+  EXPECT_TRUE(tangent.developable());
+  EXPECT_EQ(tangent.classified().kind, SurfaceClass::tangent);
+}
+
+TEST(Classify, PiecesThatAgreeAndPiecesThatDoNot) {
+  const std::vector<Point3> c{point(0, 0, 0), point(1, 2, 0), point(2, 2, 1), point(3, 1, 4), point(5, 5, 5)};
+  std::vector<Point3> same(5), other(5);
+  for (std::size_t i = 0; i < 5; ++i) same[i] = sum(c[i], point(1, 0, 3));
+  const std::vector<Q> ones(5, Q(1));
+  EXPECT_EQ((Net{two_pieces, {c, ones}, {same, ones}}.classified().kind), SurfaceClass::cylinder);
+
+  // The first piece a cone over v, the second a cone over w, joined along the ruling through v and w.
+  const Point3 v = point(0, 0, 8), w = combine(Q(3), v, Q(-2), c[2]);
+  for (std::size_t i = 0; i < 5; ++i) other[i] = combine(Q(2), c[i], Q(-1), v);
+  for (std::size_t i = 3; i < 5; ++i) {
+    other[i] = other[2];
+    add_scaled(other[i], Q(2), difference(c[i], c[2]));
+  }
+  const Net same_ratio{two_pieces, {c, ones}, {other, ones}};
+  EXPECT_EQ(same_ratio.classified().kind, SurfaceClass::cone);
+  // other[2] = 2 c_2 - v = c_2 + (c_2 - v); with ratio alpha about w: w + alpha (c_2 - w) = other[2] for alpha = 4/3.
+  for (std::size_t i = 3; i < 5; ++i) {
+    other[i] = other[2];
+    add_scaled(other[i], ratio<Q>(4, 3), difference(c[i], c[2]));
+  }
+  const Net two_cones{two_pieces, {c, ones}, {other, ones}};
+  EXPECT_TRUE(two_cones.developable());
+  EXPECT_EQ(two_cones.classified().kind, SurfaceClass::tangent);
+}
+
+TEST(Classify, PointsThatActOnNoPieceDoNotCount) {
+  // The domain begins at the double knot 1, so that c_0 and d_0 do not act on it.
+  const KnotList<Q> u(2, {Q(0), Q(1), Q(1), Q(2), Q(2)});
+  const std::vector<Q> ones(4, Q(1));
+  const Net plane{u,
+                  {{point(5, 6, 7), point(0, 0, 0), point(1, 5, 0), point(2, 0, 0)}, ones},
+                  {{point(9, 9, 1), point(0, 1, 0), point(3, 3, 0), point(4, 1, 0)}, ones}};
+  EXPECT_TRUE(plane.developable());
+  EXPECT_EQ(plane.classified().kind, SurfaceClass::plane);
+}
+
+TEST(Classify, DegenerateNets) {
+  const std::vector<Point3> planar{point(0, 0, 0), point(1, 3, 0), point(2, 1, 0), point(7, 2, 0)};
+  const Net curve = net(cubic, cubic);
+  EXPECT_TRUE(curve.developable());
+  EXPECT_EQ(curve.classified().kind, SurfaceClass::cylinder);
+  EXPECT_FALSE(curve.classified().direction.has_value());
+  EXPECT_EQ(net(planar, planar).classified().kind, SurfaceClass::plane);
+
+  const std::vector<Point3> one(4, point(1, 2, 3));
+  EXPECT_EQ(net(one, one).classified().kind, SurfaceClass::plane);
+  EXPECT_EQ(net(one, std::vector<Point3>(4, point(0, 2, 3))).classified().kind, SurfaceClass::plane);
+  EXPECT_EQ(net({point(0, 0, 0), point(1, 1, 1)}, {point(2, 2, 2), point(5, 5, 5)}).classified().kind,
+            SurfaceClass::plane);
+}
+
+TEST(Classify, EveryClassHasItsWord) {
+  EXPECT_EQ(name_of(SurfaceClass::plane), "plane");
+  EXPECT_EQ(name_of(SurfaceClass::cylinder), "cylinder");
+  EXPECT_EQ(name_of(SurfaceClass::cone), "cone");
+  EXPECT_EQ(name_of(SurfaceClass::tangent), "tangent");
+  EXPECT_EQ(name_of(SurfaceClass::none), "none");
+}
+
+}  // namespace
+}  // namespace torse

@@ -1,0 +1,62 @@
+// Files are written all or nothing.
+#include "torse/io/file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/program.hpp"
+
+namespace torse {
+namespace {
+
+using testing::Scratch;
+using testing::slurp;
+using testing::spill;
+
+std::size_t entries(const Scratch& scratch) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(scratch.path()), {}));
+}
+
+TEST(File, ReplacesTheOldOneAndLeavesNothingElse) {
+  const Scratch scratch;
+  const std::string path = (scratch / "a b.json").string();
+  write_file(path, "one");
+  write_file(path, std::string("t\0wo", 4));
+  EXPECT_EQ(read_file(path), std::string("t\0wo", 4));
+  EXPECT_EQ(entries(scratch), 1U);
+}
+
+TEST(File, FollowsLinksAndKeepsPermissions) {
+  namespace fs = std::filesystem;
+  const Scratch scratch;
+  spill(scratch / "target", "old");
+  fs::permissions(scratch / "target", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink(scratch / "target", scratch / "link");
+  write_file((scratch / "link").string(), "new");
+  EXPECT_TRUE(fs::is_symlink(scratch / "link"));
+  EXPECT_EQ(slurp(scratch / "target"), "new");
+  EXPECT_EQ(fs::status(scratch / "target").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(File, AFailureLeavesTheFolderAsItWas) {
+  const Scratch scratch;
+  EXPECT_THROW(write_file((scratch / "no/such.json").string(), "x"), FileError);
+  EXPECT_THROW(write_file(scratch.path().string(), "x"), FileError);
+  EXPECT_THROW(write_file("/dev/full", "x"), FileError);
+  EXPECT_EQ(entries(scratch), 0U);
+  EXPECT_TRUE(std::filesystem::exists("/dev/full"));
+}
+
+TEST(File, WhatCannotBeReadIsNamed) {
+  const Scratch scratch;
+  for (const std::string& path : {(scratch / "none").string(), scratch.path().string(), std::string("/dev/zero")}) {
+    try {
+      read_file(path);
+      FAIL() << path;
+    } catch (const FileError& error) {
+      EXPECT_EQ(error.file(), path);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace torse
