@@ -1,0 +1,160 @@
+// torse check, the real program: exit codes, reports, hostile files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+namespace torse::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string flat = R"({"torse": 1, "type": "ruled", "degree": 1,
+ "c": {"points": [[0,0,0],[1,0,0]]}, "d": {"points": [[0,1,0],[1,1,0]]}})";
+const std::string twisted = R"({"torse": 1, "type": "ruled", "degree": 1, "knots": ["1/3", 2],
+ "c": {"points": [[0,0,0],[1,0,0]]}, "d": {"points": [[0,1,0],[1,1,"1/7"]]}})";
+
+class Check : public ::testing::Test {
+ public:
+  std::string file(const std::string& name, const std::string& text) const {
+    spill(scratch / name, text);
+    return (scratch / name).string();
+  }
+  Scratch scratch;
+};
+
+TEST_F(Check, ExitCodesOfOneFile) {
+  EXPECT_EQ(run_program({"check", file("flat", flat)}).exit, 0);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted)}).exit, 1);
+  EXPECT_EQ(run_program({"check", file("broken", "{")}).exit, 2);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), "--max-warp", "5"}).exit, 3);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), "--max-warp", "90"}).exit, 0);
+  EXPECT_EQ(run_program({"check", file("flat", flat), "--max-warp", "0"}).exit, 0);
+}
+
+TEST_F(Check, AnUnreadableFileWinsAndTheOthersAreReported) {
+  const ProgramResult result =
+      run_program({"check", file("flat", flat), file("broken", "{"), file("twisted", twisted), "--json", "-"});
+  EXPECT_EQ(result.exit, 2);
+  const json report = json::parse(result.out);
+  ASSERT_EQ(report["surfaces"].size(), 2U);
+  EXPECT_EQ(report["surfaces"][0]["name"], "flat");
+  EXPECT_EQ(report["errors"].size(), 1U);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), file("flat", flat)}).exit, 1);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), file("flat", flat), "--max-warp", "1/2"}).exit, 3);
+}
+
+TEST_F(Check, TheWitnessIsExact) {
+  const json surface = json::parse(run_program({"check", file("twisted", twisted), "--json", "-"}).out)["surfaces"][0];
+  EXPECT_EQ(surface["developable"], false);
+  EXPECT_EQ(surface["class"], "none");
+  EXPECT_EQ(surface["max_warp_deg"], json({{"lo", 0}, {"hi", 90}}));
+  EXPECT_EQ(surface["witness"]["span"], json({"1/3", "2"}));
+  EXPECT_EQ(surface["witness"]["piece"], 1);
+  EXPECT_EQ(surface["witness"]["coefficient"], 0);
+  EXPECT_EQ(surface["witness"]["value"], "1/7");  // the volume of the three edges at c_0
+}
+
+TEST_F(Check, TheVertexIsExact) {
+  const std::string cone = R"({"torse": 1, "type": "ruled", "degree": 2,
+   "c": {"points": [[0,0,0],[1,0,0],[1,"1/3",0]]}, "d": {"points": [[0,0,"1/7"],["1/2",0,"1/7"],["1/2","1/6","1/7"]]}})";
+  const json surface = json::parse(run_program({"check", file("cone", cone), "--json", "-"}).out)["surfaces"][0];
+  EXPECT_EQ(surface["class"], "cone");
+  EXPECT_EQ(surface["vertex"], json({"0", "0", "2/7"}));
+  EXPECT_EQ(surface["max_warp_deg"], json({{"lo", 0}, {"hi", 0}}));
+}
+
+TEST_F(Check, ReportsHoldEveryCaseAndAReplay) {
+  const std::string awkward = file("a <&'\"b.json", twisted);
+  const std::string junit = (scratch / "r.xml").string(), sarif = (scratch / "r.sarif").string();
+  EXPECT_EQ(
+      run_program({"check", awkward, file("flat", flat), file("broken", "["), "--junit", junit, "--sarif", sarif}).exit,
+      2);
+  const std::string xml = slurp(junit);
+  EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\" errors=\"1\""));
+  EXPECT_THAT(xml, HasSubstr("name=\"a &lt;&amp;'&quot;b\""));
+  EXPECT_THAT(xml, HasSubstr("replay: torse check"));
+  EXPECT_THAT(xml, HasSubstr("name=\"flat\""));
+  const json report = json::parse(slurp(sarif));
+  EXPECT_EQ(report["version"], "2.1.0");
+  const json& results = report["runs"][0]["results"];
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0]["ruleId"], "developable");
+  EXPECT_THAT(results[0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"].get<std::string>(),
+              HasSubstr("a%20%3C%26%27%22b.json"));
+  EXPECT_EQ(results[1]["locations"][0]["physicalLocation"]["region"]["startLine"], 1);
+}
+
+TEST_F(Check, StandardOutputIsForOneReader) {
+  const ProgramResult json_only = run_program({"check", file("twisted", twisted), "--json", "-"});
+  EXPECT_TRUE(json::accept(json_only.out));
+  const ProgramResult text = run_program({"check", file("twisted", twisted)});
+  EXPECT_THAT(text.out, HasSubstr("not developable"));
+  EXPECT_THAT(text.out, HasSubstr("replay: torse check"));
+  EXPECT_THAT(text.out, Not(HasSubstr("\x1b")));
+  const ProgramResult both = run_program({"check", file("flat", flat), "--json", "-", "--junit", "-"});
+  EXPECT_EQ(both.exit, 2);
+  EXPECT_EQ(both.out, "");
+}
+
+TEST_F(Check, HostileFilesEndWithOneClearError) {
+  const std::string point = "[0,1,0]";
+  const auto with = [&](const std::string& other) {
+    std::string text = flat;
+    return text.replace(text.find(point), point.size(), other);
+  };
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "empty file"},
+      {std::string("\x7f"
+                   "ELF\0\1",
+                   6),
+       "invalid literal"},
+      {std::string(1'000'000, '['), "at most 32 deep"},
+      {with("[1e1000000000,1,0]"), "below 1e4932"},
+      {with("[\"1e1000000000\",1,0]"), "d.points[0][0] (line 2, column 56): expected an exponent from -4000 to 4000"},
+      {with("[\"1/0\",1,0]"), "denominator that is not zero"},
+      {with("[NaN,1,0]"), "line 2, column 56"},
+      {with("[0,1]"), "d.points[0] (line 2, column 55): expected three coordinates"},
+      {flat + "}", "expected end of input"},
+  };
+  for (const auto& [text, message] : cases) {
+    const ProgramResult result = run_program({"check", file("hostile", text)});
+    EXPECT_EQ(result.exit, 2) << message;
+    EXPECT_THAT(result.err, HasSubstr(message));
+    EXPECT_THAT(result.err, HasSubstr("replay: torse check"));
+  }
+  EXPECT_EQ(run_program({"check", scratch.path().string()}).exit, 2);
+  EXPECT_EQ(run_program({"check", "/dev/zero"}).exit, 2);
+  EXPECT_EQ(run_program({"check", (scratch / "none").string()}).exit, 2);
+}
+
+TEST_F(Check, ReportsThatCannotBeWrittenAreErrors) {
+  EXPECT_EQ(run_program({"check", file("flat", flat), "--json", "/dev/full"}).exit, 2);
+  EXPECT_EQ(run_program({"check", file("flat", flat), "--junit", (scratch / "no/r.xml").string()}).exit, 2);
+}
+
+TEST_F(Check, MistypedWordsGetASuggestion) {
+  const ProgramResult command = run_program({"chekc", "x"});
+  EXPECT_EQ(command.exit, 2);
+  EXPECT_THAT(command.err, HasSubstr("did you mean check?"));
+  const ProgramResult option = run_program({"check", file("flat", flat), "--jsn", "x"});
+  EXPECT_EQ(option.exit, 2);
+  EXPECT_THAT(option.err, HasSubstr("did you mean --json?"));
+  for (const char* angle : {"-1", "x", "1/0", "nan"}) {
+    const ProgramResult wrong = run_program({"check", file("flat", flat), "--max-warp", angle});
+    EXPECT_EQ(wrong.exit, 2) << angle;
+    EXPECT_THAT(wrong.err, HasSubstr("--max-warp"));
+  }
+  EXPECT_EQ(run_program({"check"}).exit, 2);
+  EXPECT_EQ(run_program({}).exit, 2);
+  EXPECT_EQ(run_program({"--help"}).exit, 0);
+  EXPECT_EQ(run_program({"check", "--help"}).exit, 0);
+  EXPECT_THAT(run_program({"--version"}).out, HasSubstr("torse 0."));
+}
+
+}  // namespace
+}  // namespace torse::testing

@@ -1,0 +1,203 @@
+// torse construct, the real program: every method's net against expectations made by hand, and every refusal leaves no
+// file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+#include "torse/developable/condition.hpp"
+#include "torse/exact/rational/rational.hpp"
+#include "torse/io/spline_file.hpp"
+
+namespace torse::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using Q = Rational;
+using Point3 = Vec<Q, 3>;
+
+const json parabola = json::parse("[[0,0,0],[1,2,0],[3,1,1]]");
+const json quartic = json::parse("[[0,0,0],[1,2,0],[3,1,1],[4,4,0],[2,7,5]]");
+
+/// A construction's input over a quadratic Bezier curve; `more` adds or replaces members.
+json input_of(const std::string& method, const json& more) {
+  json input{{"torse", 1}, {"type", "construct"}, {"method", method}, {"degree", 2}, {"c", {{"points", parabola}}}};
+  if (!more.is_null()) input.update(more);
+  return input;
+}
+
+class Construct : public ::testing::Test {
+ public:
+  ProgramResult run(const json& input, const std::vector<std::string>& more = {}) {
+    spill(scratch / "in.json", input.dump());
+    std::vector<std::string> words{"construct", input["method"], (scratch / "in.json").string(), "-o", output()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words);
+  }
+  std::string output() const { return (scratch / "out.json").string(); }
+  json net() const { return json::parse(slurp(output())); }
+  RuledFile<Q> surface() const { return read_ruled<Q>(Document("out", slurp(output()))); }
+  bool written() const { return std::filesystem::exists(output()); }
+
+  void expect_refused(const json& input, const std::string& message, int exit = 2) {
+    const ProgramResult result = run(input);
+    EXPECT_EQ(result.exit, exit) << result.out;
+    EXPECT_THAT(result.err, HasSubstr(message));
+    EXPECT_FALSE(written());
+  }
+
+  json checked() { return json::parse(run_program({"check", output(), "--json", "-"}).out)["surfaces"][0]; }
+
+  Scratch scratch;
+};
+
+bool parallel(const Point3& a, const Point3& b) {
+  const Point3 n = cross(a, b);
+  return n[0].sign() == 0 && n[1].sign() == 0 && n[2].sign() == 0;
+}
+
+TEST_F(Construct, CylinderByTranslationAndByM) {
+  EXPECT_EQ(run(input_of("cylinder", {{"d0", {"1/2", 0, 5}}})).exit, 0);
+  EXPECT_EQ(net()["d"]["points"], json::parse(R"([["1/2","0","5"],["3/2","2","5"],["7/2","1","6"]])"));
+  EXPECT_EQ(checked()["direction"], json({"1", "0", "10"}));
+
+  // M = 3: the ruling shrinks by (M-1)/M = 2/3 from vertex to vertex.
+  EXPECT_EQ(run(input_of("cylinder", {{"d0", {9, 0, 0}}, {"M", 3}, {"Lambda", "3"}})).exit, 0);
+  EXPECT_EQ(net()["d"]["points"], json::parse(R"([["9","0","0"],["7","2","0"],["7","1","1"]])"));
+  EXPECT_EQ(checked()["class"], "cylinder");
+}
+
+TEST_F(Construct, ConeKeepsTheWeights) {
+  const json c{{"points", parabola}, {"weights", {1, "2/3", 4}}};
+  EXPECT_EQ(run(input_of("cone", {{"c", c}, {"d0", {0, 0, 6}}, {"Lambda", "1/3"}})).exit, 0);
+  EXPECT_EQ(net()["d"]["points"], json::parse(R"([["0","0","6"],["1/3","2/3","6"],["1","1/3","19/3"]])"));
+  EXPECT_EQ(net()["d"]["weights"], json({"1", "2/3", "4"}));
+  EXPECT_EQ(checked()["vertex"], json({"0", "0", "9"}));  // (c_0/3 - d_0) / (1/3 - 1)
+}
+
+TEST_F(Construct, TangentRowIsTheCurvePlusItsDerivative) {
+  const json knots{0, 0, 1, 3, 4, 4};
+  EXPECT_EQ(run(input_of("tangent", {{"c", {{"points", quartic}}}, {"knots", knots}})).exit, 0);
+  EXPECT_EQ(net()["knots"], json::parse(R"(["0","0","1","1","3","3","4","4"])"));
+  const RuledFile<Q> made = surface();
+  const KnotList<Q> given(2, {Q(0), Q(0), Q(1), Q(3), Q(4), Q(4)});
+  std::vector<Point3> c;
+  for (const json& x : quartic) c.emplace_back(Q(x[0].get<int>()), Q(x[1].get<int>()), Q(x[2].get<int>()));
+  const std::pair<int, int> pieces[] = {{1, 1}, {2, 3}, {3, 5}};  // of the given list, of the list of Bezier pieces
+  for (const auto& [k, j] : pieces) {
+    const Q t = (given.piece_begin(k) + given.piece_end(k)) / Q(3);
+    const Point3 x = curve_point<Q, Point3>(given, c, k, t);
+    EXPECT_TRUE((curve_point<Q, Point3>(made.knots, made.c.points, j, t) == x)) << k;
+    EXPECT_TRUE((curve_point<Q, Point3>(made.knots, made.d.points, j, t) ==
+                 sum(x, curve_derivative<Q, Point3>(given, c, k, t))))
+        << k;
+  }
+  EXPECT_EQ(checked()["class"], "tangent");
+}
+
+TEST_F(Construct, InterpolationReachesBothRulings) {
+  // v x w = (0, 0, 1) and the curve's height falls and rises, so that the polynomial in M* has two rational roots off
+  // the knots: heights 0, h_1, h_2, h_3 of a cubic on [0, 1] give F = D_0 (M-1)^2 + D_1 M (M-1) + D_2 M^2.
+  const json c{{"points", json::parse("[[0,0,0],[1,3,6],[2,-1,1],[5,2,2]]")}};  // D = 6, -5, 1: roots 2 and 3
+  const json input =
+      input_of("interpolate", {{"degree", 3}, {"c", c}, {"va", {1, 0, 0}}, {"vb", {0, 1, 0}}, {"Lambda", 5}});
+  for (const char* branch : {"1", "2"}) {
+    const ProgramResult result = run(input, {"--branch", branch});
+    ASSERT_EQ(result.exit, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("branch 2"));
+    const RuledFile<Q> made = surface();
+    EXPECT_TRUE(parallel(difference(made.d.points[0], made.c.points[0]), Point3(Q(1), Q(0), Q(0))));
+    EXPECT_TRUE(parallel(difference(made.d.points[3], made.c.points[3]), Point3(Q(0), Q(1), Q(0))));
+    EXPECT_EQ(checked()["class"], "tangent");
+  }
+  EXPECT_EQ(run(input, {"--branch", "3"}).exit, 2);
+}
+
+TEST_F(Construct, AnIrrationalBranchIsExactlyDevelopable) {
+  const json c{{"points", json::parse("[[0,0,0],[1,3,1],[2,-1,-4],[5,2,-3]]")}};  // D = 1, -5, 1
+  const ProgramResult result =
+      run(input_of("interpolate", {{"degree", 3}, {"c", c}, {"va", {1, 0, 0}}, {"vb", {0, 1, 0}}, {"Lambda", 5}}));
+  ASSERT_EQ(result.exit, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("irrational"));
+  EXPECT_THAT(result.out, HasSubstr("off vb by at most"));
+  const RuledFile<Q> made = surface();
+  EXPECT_FALSE((find_witness<Q, 3>(made.knots, made.c.points, made.d.points)));
+  EXPECT_TRUE(parallel(difference(made.d.points[0], made.c.points[0]), Point3(Q(1), Q(0), Q(0))));
+  const Point3 last = difference(made.d.points[3], made.c.points[3]);
+  EXPECT_FALSE(parallel(last, Point3(Q(0), Q(1), Q(0))));
+  EXPECT_LT((last[0] * last[0] + last[2] * last[2]) * Q(1'000'000'000) * Q(1'000'000'000) * Q(1'000'000'000),
+            last[1] * last[1]);
+}
+
+TEST_F(Construct, ParallelAndMeetingEndRulings) {
+  EXPECT_EQ(run(input_of("interpolate", {{"va", {1, 0, 2}}, {"vb", {-2, 0, -4}}, {"Lambda", 7}})).exit, 0);
+  EXPECT_EQ(checked()["direction"], json({"1", "0", "2"}));
+  // Both rulings pass through (1, 2, 3).
+  EXPECT_EQ(run(input_of("interpolate", {{"va", {1, 2, 3}}, {"vb", {-2, 1, 2}}, {"Lambda", "2/3"}})).exit, 0);
+  EXPECT_EQ(checked()["vertex"], json({"1", "2", "3"}));
+}
+
+TEST_F(Construct, WrongInputsAreNamedAndLeaveNoFile) {
+  const json free{{"Lambda", 7}, {"M", 5}, {"d0", {1, 2, 3}}};
+  const auto changed = [&](const std::string& method, const json& more) {
+    json members = free;
+    if (!more.is_null()) members.update(more);
+    return input_of(method, members);
+  };
+  expect_refused(changed("bspline", {{"M", 1}}), ": M (line 1, column ");
+  expect_refused(changed("bspline", {{"M", 0}}), "expected a value that is not a knot");
+  expect_refused(changed("bspline", {{"degree", 3}}), "c.points (line 1, column ");
+  expect_refused(changed("bspline", {{"knots", {0, 1, "1/2", 2}}}), "knots[2] (line 1, column ");
+  expect_refused(changed("bspline", {{"sigma", 2}}), "found \"sigma\"");
+  expect_refused(changed("bezier", {{"knots", {0, 0, 1, 1}}}), "found \"knots\"");
+  expect_refused(changed("rational", {{"omega0", 1}}), "expected the key \"sigma\"");
+  expect_refused(changed("rational", {{"omega0", 1}, {"sigma", 0}}), ": sigma (line 1");
+  expect_refused(changed("rational", {{"omega0", 0}, {"sigma", 1}}), ": omega0 (line 1");
+  expect_refused(changed("rational", {{"omega0", "-1/4"}, {"sigma", 1}}),
+                 "d.weights[1]: the result has a control point at infinity");
+  expect_refused(changed("cylinder", {}), ": Lambda (line 1");
+  expect_refused(input_of("cylinder", {{"d0", {1, 2, 3}}, {"Lambda", 3}}), ": Lambda (line 1");
+  expect_refused(input_of("cone", {{"d0", {1, 2, 3}}, {"Lambda", 1}}), ": Lambda (line 1");
+  expect_refused(input_of("cone", {{"d0", {1, 2}}, {"Lambda", 2}}), ": d0 (line 1");
+  expect_refused(input_of("tangent", {{"c", {{"points", quartic}}}, {"knots", {0, 0, 1, 1, 2, 2}}}),
+                 "a jump of it at u = 1");
+  expect_refused(input_of("interpolate", {{"va", {0, 0, 0}}, {"vb", {1, 0, 0}}, {"Lambda", 1}}), ": va (line 1");
+  expect_refused(input_of("interpolate", {{"va", {1, 2, 3}}, {"vb", {-3, -1, -1}}, {"Lambda", 2}}),
+                 "meet in an end point");
+  expect_refused(
+      input_of("interpolate", {{"va", {1, 0, 2}}, {"vb", {0, 1, -1}}, {"Lambda", 2}, {"knots", {0, 1, 2, 3}}}),
+      ": knots (line 1");
+}
+
+TEST_F(Construct, NoBranchIsNoSolution) {
+  // The only root of the polynomial of this curve is the knot 1, since c_0 c_1 is in the plane of the end directions.
+  expect_refused(input_of("interpolate", {{"va", {1, 0, 2}}, {"vb", {0, 1, -1}}, {"Lambda", 2}}), "no branch", 1);
+}
+
+TEST_F(Construct, MethodsAgreeWithTheFile) {
+  spill(scratch / "in.json", input_of("tangent", {}).dump());
+  const std::string in = (scratch / "in.json").string();
+  EXPECT_EQ(run_program({"construct", "bspline", in, "-o", output()}).exit, 2);
+  const ProgramResult typo = run_program({"construct", "tangnet", in, "-o", output()});
+  EXPECT_EQ(typo.exit, 2);
+  EXPECT_THAT(typo.err, HasSubstr("did you mean tangent?"));
+  EXPECT_EQ(run_program({"construct", "directrix", in, "-o", output()}).exit, 2);
+  EXPECT_EQ(run_program({"construct", "tangent", in}).exit, 2);
+  EXPECT_FALSE(written());
+}
+
+TEST_F(Construct, OutputsThatCannotBeWritten) {
+  spill(scratch / "in.json", input_of("tangent", {}).dump());
+  const std::string in = (scratch / "in.json").string();
+  for (const std::string& out : {scratch.path().string(), std::string("/dev/full"), (scratch / "no/out").string()}) {
+    EXPECT_EQ(run_program({"construct", "tangent", in, "-o", out}).exit, 2) << out;
+  }
+  const ProgramResult result = run_program({"construct", "tangent", in, "-o", "-"});
+  EXPECT_EQ(result.exit, 0);
+  EXPECT_EQ(json::parse(result.out)["type"], "ruled");
+}
+
+}  // namespace
+}  // namespace torse::testing
