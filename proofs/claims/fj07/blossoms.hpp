@@ -61,10 +61,10 @@ and $d_1^{n-1}=(1-\lambda-\mu)c_0^{n-1}+\lambda c_1^{n-1}+\mu d_0^{n-1}$, $\lamb
       const P on_c = tangent_point<S, P>(u, c, k, t, at(mutant.is(1) ? m : lambda));
       const P on_d = tangent_point<S, P>(u, d, k, t, at(mutant.is(1) ? lambda : m));
       equations.equal(on_c, on_d);
-      equations.equal(on_c, combine(one, curve_point<S, P>(u, c, k, t), (lambda - t) / n,
-                                    curve_derivative<S, P>(u, c, k, t)));
-      equations.equal(on_d, combine(one, curve_point<S, P>(u, d, k, t), (m - t) / n,
-                                    curve_derivative<S, P>(u, d, k, t)));
+      equations.equal(
+          on_c, combine(one, curve_point<S, P>(u, c, k, t), (lambda - t) / n, curve_derivative<S, P>(u, c, k, t)));
+      equations.equal(on_d,
+                      combine(one, curve_point<S, P>(u, d, k, t), (m - t) / n, curve_derivative<S, P>(u, d, k, t)));
       const auto [c0, c1] = last_pair<S, P>(u, c, k, t);
       const auto [e0, e1] = last_pair<S, P>(u, d, k, t);
       const S lambda_k = local_parameter(u, lambda, k);
@@ -79,8 +79,8 @@ and $d_1^{n-1}=(1-\lambda-\mu)c_0^{n-1}+\lambda c_1^{n-1}+\mu d_0^{n-1}$, $\lamb
   }
 };
 
-/// The two boundaries r[., M*] and r[., L*] on the tangents of a spline r of degree n+1: they obey the relation of Theorem 1
-/// whatever L* and M* are, knots included.
+/// The two boundaries r[., M*] and r[., L*] on the tangents of a spline r of degree n+1: they obey the relation of
+/// Theorem 1 whatever L* and M* are, knots included.
 template <class S, class P>
 struct EdgeInput {
   KnotList<S> u;
@@ -102,13 +102,16 @@ struct Theorem1 {
         .source = "Theorem 1",
         .title = "developable splines by blossoms",
         .statement = R"(If $c[v_1,\dots,v_{n-1},\Lambda^*]=d[v_1,\dots,v_{n-1},M^*]$ for all $v_i$ on every piece, the
-surface is developable. Such pairs with $\Lambda^*\neq M^*$ are $c=r[\cdot,M^*]$, $d=r[\cdot,\Lambda^*]$ for a spline $r$
-of degree $n+1$ over the same knots.)",
+surface is developable; the relation holds for $c=r[\cdot,M^*]$, $d=r[\cdot,\Lambda^*]$ with any spline $r$ of degree
+$n+1$ over the same knots.)",
         .kind = Kind::identity,
         .hypotheses = {},
         .mutants = {"L* and M* exchanged", "t in the place of L*", "one control point of c taken at L*"},
-        .remark = "No hypothesis is needed: L* and M* may lie at or between knots. The theorem is no converse: cones, "
-                  "general plane nets and degree-elevated nets are developable without such constants."};
+        .remark =
+            "No hypothesis is needed: L* and M* may lie at or between knots. For L* != M* all pairs come from such an "
+            "r, the edge of regression: c_i, d_i are points of the line r_{i-1} r_i, and (13) says that neighbouring "
+            "lines agree on r_i. The theorem is no converse: cones, general plane nets and degree-elevated nets are "
+            "developable without such constants."};
     return value;
   }
 
@@ -136,8 +139,7 @@ of degree $n+1$ over the same knots.)",
     std::vector<P> d = boundary(lambda);
     std::vector<S> v;
     for (int i = 1; i < size.n; ++i) v.push_back(from.scalar());
-    return {std::move(u),      std::move(c), std::move(d), std::move(lambda),
-            std::move(m), std::move(v), from.scalar()};
+    return {std::move(u), std::move(c), std::move(d), std::move(lambda), std::move(m), std::move(v), from.scalar()};
   }
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>&) {
@@ -180,8 +182,9 @@ cylinder, $d_i-c_i=P(0,i)(d_0-c_0)$.)",
                        off_before_last,
                        off_from_last},
         .mutants = {"L* and M* exchanged", "g_{i+1} in the place of g_i", "L*+1 in the place of L* in (13)"},
-        .remark = "The hypotheses on pieces serve the direction from blossoms to (13) only, those on M* the cylinder only. "
-                  "For cones the paper prints L* as the ratio of the sides; the ratio is alpha of (6)."};
+        .remark =
+            "The hypotheses on pieces serve the direction from blossoms to (13) only, those on M* the cylinder only. "
+            "For cones the paper prints L* as the ratio of the sides; the ratio is alpha of (6)."};
     return value;
   }
 
@@ -215,8 +218,12 @@ cylinder, $d_i-c_i=P(0,i)(d_0-c_0)$.)",
   static std::vector<Failure<In<S, P>>> failures() {
     const auto with = [](KnotList<S> u, std::int64_t m) {
       const int count = u.last() + 1;
-      return In<S, P>{std::move(u),     example_points<S, P>(count), example_points<S, P>(count, count), from_int<S>(7),
-                      from_int<S>(m), {from_int<S>(4)}};
+      return In<S, P>{std::move(u),
+                      example_points<S, P>(count),
+                      example_points<S, P>(count, count),
+                      from_int<S>(7),
+                      from_int<S>(m),
+                      {from_int<S>(4)}};
     };
     return {{0, with(example_knots<S>(2, {0, 1, 1, 2, 3}), 5)},
             {1, with(example_knots<S>(2, {0, 1, 2, 2, 3}), 5)},

@@ -53,7 +53,8 @@ CellInput<S, P> draw_cells(Source<S>& from, Size size) {
 template <class S, class P>
 NonZero<S> cell_hypotheses(const CellInput<S, P>& in) {
   std::vector<S> factors;
-  for (int j = 1; j < in.u.last(); ++j) factors.push_back(in.u[in.u.degree()] - in.u[j] + in.first.m * (in.u[j] - in.u[0]));
+  for (int j = 1; j < in.u.last(); ++j)
+    factors.push_back(in.u[in.u.degree()] - in.u[j] + in.first.m * (in.u[j] - in.u[0]));
   return {std::move(factors)};
 }
 

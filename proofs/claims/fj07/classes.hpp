@@ -2,6 +2,7 @@
 //   Eq4, Eq5, Eq6, Eq7
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "torse/developable/pieces.hpp"
@@ -20,13 +21,15 @@ struct Eq4 {
         .id = "FJ07.4",
         .source = "equation (4)",
         .title = "cylinders",
-        .statement = R"($d_i-c_i=h_i v$ for all $i$ implies $d(t)-c(t)=\lambda(t)v$ with $\lambda=\sum_i h_iN_i$, and the
+        .statement =
+            R"($d_i-c_i=h_i v$ for all $i$ implies $d(t)-c(t)=\lambda(t)v$ with $\lambda=\sum_i h_iN_i$, and the
 surface is developable.)",
         .kind = Kind::identity,
         .hypotheses = {},
         .mutants = {"the last ruling along another direction", "lengths shifted by one", "d_i = c_i - h_i v"},
-        .remark = "The paper infers a constant direction from w' parallel to w. For splines that needs a ruling that does "
-                  "not vanish: w = max(t,0)^n v + max(-t,0)^n v' is C^{n-1} and turns from v' to v at t = 0."};
+        .remark =
+            "The paper infers a constant direction from w' parallel to w. For splines that needs a ruling that does "
+            "not vanish: w = max(t,0)^n v + max(-t,0)^n v' is C^{n-1} and turns from v' to v at t = 0."};
     return value;
   }
 
@@ -81,13 +84,12 @@ struct Eq5 {
         .id = "FJ07.5",
         .source = "equation (5)",
         .title = "cones",
-        .statement = R"(For $c=a+kw$, $d=a+(k+1)w$: $b(t,v)=a+(v+k)w(t)$, every ruling passes through $a=b(t,-k)$, and the
+        .statement =
+            R"(For $c=a+kw$, $d=a+(k+1)w$: $b(t,v)=a+(v+k)w(t)$, every ruling passes through $a=b(t,-k)$, and the
 surface is developable.)",
         .kind = Kind::identity,
         .hypotheses = {},
-        .mutants = {"v - k", "vertex at v = k", "w of the neighbouring piece's points"},
-        .remark = "The paper infers k constant from c' = k(u) w'; as in (4) that needs a spline w whose derivative does not "
-                  "vanish between pieces."};
+        .mutants = {"v - k", "vertex at v = k", "the first and the last w_i exchanged"}};
     return value;
   }
 

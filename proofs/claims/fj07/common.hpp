@@ -52,8 +52,9 @@ void require_coplanar(const KnotList<S>& u, const std::vector<P>& c, const std::
   }
 }
 
-/// The curves c and d on one piece by their Taylor coefficients at t, as free as their control points: c(t) = c_taylor[0],
-/// c'(t) = c_taylor[1]. Nets that start from jets keep determinants of derivatives small for indeterminates.
+/// The curves c and d on one piece by their Taylor coefficients at t, as free as their control points: c(t) =
+/// c_taylor[0], c'(t) = c_taylor[1]. Nets that start from jets keep determinants of derivatives small for
+/// indeterminates.
 template <class S, class P>
 struct RuledJets {
   KnotList<S> u;
@@ -65,8 +66,8 @@ struct RuledJets {
   std::vector<P> d;
 };
 
-/// The control points of sum_j a_j (x - t)^j on piece k: c_i = sum_j a_j e_j(u_i - t, ..., u_{i+n-1} - t) / C(n, j) with the
-/// elementary symmetric polynomials e_j. The points of other pieces are zero.
+/// The control points of sum_j a_j (x - t)^j on piece k: c_i = sum_j a_j e_j(u_i - t, ..., u_{i+n-1} - t) / C(n, j)
+/// with the elementary symmetric polynomials e_j. The points of other pieces are zero.
 template <class S, class P>
 std::vector<P> taylor_net(const KnotList<S>& u, int piece, const S& t, const std::vector<P>& a) {
   const int n = u.degree();
@@ -95,8 +96,7 @@ RuledJets<S, P> draw_jets(Source<S>& from, Size size) {
   std::vector<P> d_taylor = from.template points<P>(size.n + 1);
   std::vector<P> c = taylor_net(u, piece, t, c_taylor);
   std::vector<P> d = taylor_net(u, piece, t, d_taylor);
-  return {std::move(u),        piece,        std::move(t), std::move(c_taylor),
-          std::move(d_taylor), std::move(c), std::move(d)};
+  return {std::move(u), piece, std::move(t), std::move(c_taylor), std::move(d_taylor), std::move(c), std::move(d)};
 }
 
 template <class S>
@@ -106,7 +106,8 @@ KnotList<S> example_knots(int degree, std::initializer_list<std::int64_t> list) 
   return KnotList<S>(degree, std::move(u));
 }
 
-/// Points in general position: generators, or points of the moment curve (x, x^2, x^3, ...) at x = first + 1, first + 2, ...
+/// Points in general position: generators, or points of the moment curve (x, x^2, x^3, ...) at x = first + 1, first +
+/// 2, ...
 template <class S, class P>
 std::vector<P> example_points(int count, int first = 0) {
   std::vector<P> row;

@@ -34,8 +34,9 @@ $(b_{uu}\cdot n)(b_{vv}\cdot n)-(b_{uv}\cdot n)^2=-[d',c',d-c]^2$; hence (1) hol
         .kind = Kind::identity,
         .hypotheses = {},
         .mutants = {"+[d',c',d-c]^2", "d+c in the place of d-c", "n = b_u x d"},
-        .remark = "Any multiple of the unit normal will do, so the identity holds at singular points too, where (1) as "
-                  "printed has no unit normal to speak of."};
+        .remark =
+            "Any multiple of the unit normal will do, so the identity holds at singular points too, where (1) as "
+            "printed has no unit normal to speak of."};
     return value;
   }
 
@@ -68,8 +69,8 @@ $(b_{uu}\cdot n)(b_{vv}\cdot n)-(b_{uv}\cdot n)^2=-[d',c',d-c]^2$; hence (1) hol
     const P b_uv = difference(curve_derivative<S, P>(u, d, k, t), curve_derivative<S, P>(u, c, k, t));
     const S mixed = dot<S>(b_uv, cross<S>(curve_derivative<S, P>(u, row, k, t), b_v));
     const S numerator = -(mixed * mixed);
-    const S det = mutant.is(2) ? det3<S>(d_taylor[1], c_taylor[1], sum(d_taylor[0], c_taylor[0]))
-                               : jet_determinant(in.jets);
+    const S det =
+        mutant.is(2) ? det3<S>(d_taylor[1], c_taylor[1], sum(d_taylor[0], c_taylor[0])) : jet_determinant(in.jets);
     equations.equal(numerator, mutant.is(1) ? det * det : -(det * det));
   }
 };
@@ -83,7 +84,8 @@ struct Eq2 {
         .id = "FJ07.2",
         .source = "equation (2)",
         .title = "the condition is the same at every point of a ruling",
-        .statement = R"($[b_{uv},b_u,b_v](u,v)=[d'(u),c'(u),d(u)-c(u)]$ for every $v$, so (2) at one $v$ is (2) at all $v$.)",
+        .statement =
+            R"($[b_{uv},b_u,b_v](u,v)=[d'(u),c'(u),d(u)-c(u)]$ for every $v$, so (2) at one $v$ is (2) at all $v$.)",
         .kind = Kind::identity,
         .hypotheses = {},
         .mutants = {"[c',d',d-c]", "b in the place of b_v", "b_uv = d'+c'"}};
@@ -116,7 +118,8 @@ struct Eq2 {
   }
 };
 
-/// FJ07.3: the vectors c', d', d-c and the last but one points of de Boor's algorithm; one tangent plane along a ruling.
+/// FJ07.3: the vectors c', d', d-c and the last but one points of de Boor's algorithm; one tangent plane along a
+/// ruling.
 struct Eq3 {
   static constexpr PointKind points = PointKind::space;
   static constexpr int dimension = 3;
@@ -131,8 +134,9 @@ $n(v)\times n(w)=(v-w)\,[d',c',d-c]\,(d-c)$.)",
         .kind = Kind::equivalence,
         .hypotheses = {},
         .mutants = {"n/(b-a) once", "d_0 and d_1 exchanged", "v - w without the sign"},
-        .remark = "Where d = c the second identity says nothing: a ruling of length zero has no direction. The determinant "
-                  "is zero there."};
+        .remark =
+            "Where d = c the second identity says nothing: a ruling of length zero has no direction. The determinant "
+            "is zero there."};
     return value;
   }
 

@@ -72,9 +72,11 @@ $n=v\times w$.)",
                        {"alpha is not 0: else the first ruling shrinks to c_0", false},
                        {"beta is not 0: else the last ruling shrinks to c_L", false},
                        {"L* is not M_0: else both rulings shrink", false}},
-        .mutants = {"sigma_0 and tau_0 exchanged", "the sign of tau_0", "alpha and beta exchanged", "the product inverted"},
-        .remark = "M_0 is a root of a polynomial of degree L-1, so there may be no real branch or several; a root at a "
-                  "knot is none. The line of a ruling that has shrunk to a point is lost."};
+        .mutants = {"sigma_0 and tau_0 exchanged", "the sign of tau_0", "alpha and beta exchanged",
+                    "the product inverted"},
+        .remark =
+            "M_0 is a root of a polynomial of degree L-1, so there may be no real branch or several; a root at a "
+            "knot is none. The line of a ruling that has shrunk to a point is lost."};
     return value;
   }
 
@@ -87,12 +89,13 @@ $n=v\times w$.)",
     ChordCoordinates<S> chord;
     S m0;
     S lambda;
-    Vec<S, 3> first;   ///< v and w again, by coordinates
+    Vec<S, 3> first;  ///< v and w again, by coordinates
     Vec<S, 3> second;
-    Vec<S, 3> along;   ///< alpha v + beta w
+    Vec<S, 3> along;  ///< alpha v + beta w
   };
 
-  /// c_L completed such that a(M_0) - c_L = alpha v + beta w. A knot M_0, which the hypotheses exclude, leaves c_L = c_0.
+  /// c_L completed such that a(M_0) - c_L = alpha v + beta w. A knot M_0, which the hypotheses exclude, leaves c_L =
+  /// c_0.
   template <class S, class P>
   static In<S, P> make(KnotList<S> u, std::vector<P> c, P v, P w, ChordCoordinates<S> chord, S m0, S lambda,
                        Vec<S, 3> first, Vec<S, 3> second) {

@@ -24,8 +24,9 @@ developable.)",
         .kind = Kind::identity,
         .hypotheses = {off_before_last, off_from_last},
         .mutants = {"the last vertex reflected", "L* and M* exchanged", "u_{i+n} shifted in the last cell"},
-        .remark = "L* = M* is a cylinder, d_0 = c_0 and L* at a knot are allowed. M* matters at all knots up to u_{L-1}, "
-                  "those outside the domain included."};
+        .remark =
+            "L* = M* is a cylinder, d_0 = c_0 and L* at a knot are allowed. M* matters at all knots up to u_{L-1}, "
+            "those outside the domain included."};
     return value;
   }
 
@@ -137,8 +138,8 @@ struct Eq15 : ClosedForm {
     const std::vector<P> d = linear_net<S, P>(u, c, lambda, m, d0);
     for (int vertex = 1; vertex <= u.last(); ++vertex) {
       const std::size_t at = static_cast<std::size_t>(vertex);
-      const P closed = eq15<S, P>(u, c, mutant.is(1) ? m + m - lambda : lambda, m,
-                                  mutant.is(2) ? sum(d0, c.front()) : d0, vertex);
+      const P closed =
+          eq15<S, P>(u, c, mutant.is(1) ? m + m - lambda : lambda, m, mutant.is(2) ? sum(d0, c.front()) : d0, vertex);
       equations.equal(mutant.is(3) ? c[at] : difference(d[at], c[at]), closed);
     }
   }
@@ -166,7 +167,9 @@ $N=1..L$.)",
     for (int vertex = 1; vertex <= u.last(); ++vertex) {
       const std::size_t at = static_cast<std::size_t>(vertex);
       P ruling = eq16<S, P>(u, c, mutant.is(1) ? m : lambda, mutant.is(1) ? lambda : m, d0,
-                            !mutant.is(3) ? vertex : vertex > 1 ? vertex - 1 : u.last());
+                            !mutant.is(3) ? vertex
+                            : vertex > 1  ? vertex - 1
+                                          : u.last());
       if (mutant.is(2)) scale(ruling, from_int<S>(-1));
       equations.equal(difference(d[at], c[at]), ruling);
     }

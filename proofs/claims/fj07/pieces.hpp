@@ -91,8 +91,9 @@ $e_k=\Delta u_{n-1}+(1-\mu_1)(u_{n-1}-u_{n+k-2})$: $\lambda_k=1$, or $\mu_k=1$, 
                        {"M* is not the start of a piece: M_k != 0", false},
                        {"mu_1, ..., mu_{N-1} are not 0: M* is no inner joint (as e_2, ..., e_N != 0)", false}},
         .mutants = {"lam and mu exchanged", "the ratio of lengths inverted", "1 + 1/mu", "mu_k in lam_k"},
-        .remark = "'regardless of the values of mu' needs mu_k != 0: at mu_k = 0 the recursion stops. Cones have no M_k; "
-                  "the recursion covers them by mu = 1."};
+        .remark =
+            "'regardless of the values of mu' needs mu_k != 0: at mu_k = 0 the recursion stops. Cones have no M_k; "
+            "the recursion covers them by mu = 1."};
     return value;
   }
 
@@ -264,14 +265,16 @@ struct Corollary1 {
         .id = "FJ07.C1",
         .source = "Corollary 1",
         .title = "developable Bezier surfaces by cells",
-        .statement = R"(The net of (12) has plane cells and spans a developable surface; for $\Lambda=M$ it is a cylinder
+        .statement =
+            R"(The net of (12) has plane cells and spans a developable surface; for $\Lambda=M$ it is a cylinder
 with $D_i-C_i=(1-1/M)^i(D_0-C_0)$.)",
         .kind = Kind::identity,
         .hypotheses = {m_not_zero},
         .mutants = {"the last vertex moved", "Lam of the first cell changed", "rulings of the cylinder all equal"},
         .max_pieces = 1,
-        .remark = "Plane cells alone do not suffice, nor does every developable surface have them with one combination. For "
-                  "cones the paper prints Lam as the ratio of the sides; the ratio is alpha of (6)."};
+        .remark =
+            "Plane cells alone do not suffice, nor does every developable surface have them with one combination. For "
+            "cones the paper prints Lam as the ratio of the sides; the ratio is alpha of (6)."};
     return value;
   }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <initializer_list>
+#include <concepts>
 #include <vector>
 
 #include "torse/algebra/determinant.hpp"
@@ -25,9 +25,7 @@ struct Eq17 {
         .statement = R"($\tilde d_i=c_i+\beta(d_i-c_i)$ is the net of (13) with $\tilde M^*=M^*$,
 $\tilde\Lambda^*=M^*+\beta(\Lambda^*-M^*)$; and $c$ is the net of (13) through $d$ with $M^*$, $\Lambda^*$ exchanged.)",
         .kind = Kind::identity,
-        .hypotheses = {off_before_last,
-                       off_from_last,
-                       {"L* is none of the knots, for the swap", false}},
+        .hypotheses = {off_before_last, off_from_last, {"L* is none of the knots, for the swap", false}},
         .mutants = {"beta L*", "M* + beta (M* - L*)", "the swap without exchanging L*, M*"},
         .remark = "beta is free: 0 gives d~ = c with L~* = M*, values outside [0, 1] extend the rulings."};
     return value;
@@ -81,21 +79,24 @@ struct Corollary3 {
         .id = "FJ07.C3",
         .source = "Corollary 3",
         .title = "no singular points, corrected",
-        .statement = R"(With $W=d-c$: $(M^*-t)\,b_t(t,v)=\{(1-v)(M^*-t)+v(\Lambda^*-t)\}\,c'(t)-nv\,W(t)$. If on every piece
+        .statement =
+            R"(With $W=d-c$: $(M^*-t)\,b_t(t,v)=\{(1-v)(M^*-t)+v(\Lambda^*-t)\}\,c'(t)-nv\,W(t)$. If on every piece
 $\Lambda_k,M_k<0$ or $\Lambda_k,M_k>1$, the brace over $M^*-t$ is positive for $0\le v\le1$; then
 $b_t\times b_v=\frac{(1-v)(M^*-t)+v(\Lambda^*-t)}{M^*-t}\,c'\times W$, and a ruling has no singular point iff
 $c'\times W\neq0$ on it.)",
         .kind = Kind::inequality,
-        .hypotheses = {{"c'(t) x (d(t)-c(t)) is not 0: the curve is not stationary, the ruling has a length and does not "
-                        "touch the curve",
-                        false}},
+        .hypotheses =
+            {{"c'(t) x (d(t)-c(t)) is not 0: the curve is not stationary, the ruling has a length and does not "
+              "touch the curve",
+              false}},
         .mutants = {"v and 1-v exchanged", "n+1 in the place of n", "+n v W"},
-        .remark = "As printed the corollary is false: c_0 = c_1 (c stationary), d_0 on the line c_0 c_1 (a ruling along "
-                  "the tangent) or d_0 = c_0 (a ruling of length zero) give singular points whatever the signs; each is "
-                  "stored as a failure. With c' x W != 0 the signs are sufficient, not necessary: only "
-                  "v = (t-M*)/(L*-M*), the edge of regression, must stay out of [0, 1]. Pieces adjoin, so L* and M* are "
-                  "on one side of the whole domain; outer knots do not touch the surface and are drawn on the inner side "
-                  "of M*."};
+        .remark =
+            "As printed the corollary is false: c_0 = c_1 (c stationary), d_0 on the line c_0 c_1 (a ruling along "
+            "the tangent) or d_0 = c_0 (a ruling of length zero) give singular points whatever the signs; each is "
+            "stored as a failure. With c' x W != 0 the signs are sufficient, not necessary: only "
+            "v = (t-M*)/(L*-M*), the edge of regression, must stay out of [0, 1]. Pieces adjoin, so L* and M* are "
+            "on one side of the whole domain; outer knots do not touch the surface and are drawn on the inner side "
+            "of M*."};
     return value;
   }
 
@@ -113,7 +114,7 @@ $c'\times W\neq0$ on it.)",
     P d0;
     std::array<Side<S>, 2> sides;
     std::vector<S> t;  ///< one in each proper piece
-    S v;               ///< in [0, 1]
+    S v;               ///< between 0 and 1
   };
 
   template <class S, class P>
@@ -123,7 +124,7 @@ $c'\times W\neq0$ on it.)",
     P d0 = from.template point<P>();
     const auto fraction = [&] {
       const S x = from.positive();
-      return x / (x + from.positive());
+      return x / (from_int<S>(1) + x);
     };
     Side<S> left{u.domain_begin() - from.positive(), u[0] - from.positive()};
     Side<S> right{u.domain_end() + from.positive(), u[u.size() - 1] + from.positive()};
@@ -135,7 +136,7 @@ $c'\times W\neq0$ on it.)",
 
   /// Whether points have the coordinates and the order that `regular` speaks of.
   template <class S, class P>
-  static constexpr bool in_space = OrderedField<S> && std::same_as<P, Vec<S, 3>>;
+  static constexpr bool in_space = OrderedField<S>&& std::same_as<P, Vec<S, 3>>;
 
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>& in) {
@@ -187,26 +188,25 @@ $c'\times W\neq0$ on it.)",
 
   template <class S, class P>
   static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
-    const auto& [u, c, d0, sides, at, inner] = in;
+    const auto& [u, c, d0, sides, at, v] = in;
     const S one = from_int<S>(1);
     const S n = from_int<S>(mutant.is(2) ? u.degree() + 1 : u.degree());
     for (const auto& [lambda, m] : sides) {
       const std::vector<P> d = linear_net<S, P>(u, c, lambda, m, d0);
-      for (const S& v : {inner, from_int<S>(0), one}) {
-        const std::vector<P> row = restrict_rulings<S, P>(c, d, v);
-        std::size_t next = 0;
-        for (int k : u.proper_pieces()) {
-          const S& t = at[next++];
-          const P along = curve_derivative<S, P>(u, row, k, t);
-          const P ruling = difference(curve_point<S, P>(u, d, k, t), curve_point<S, P>(u, c, k, t));
-          const S brace = mutant.is(1) ? v * (m - t) + (one - v) * (lambda - t) : (one - v) * (m - t) + v * (lambda - t);
-          equations.equal(scaled(m - t, along), combine(brace, curve_derivative<S, P>(u, c, k, t),
-                                                        mutant.is(3) ? n * v : -(n * v), ruling));
-          equations.positive(brace / (m - t));
-          if constexpr (in_space<S, P>) {
-            const P normal = cross<S>(along, ruling);
-            equations.positive(dot<S>(normal, normal));
-          }
+      const std::vector<P> row = restrict_rulings<S, P>(c, d, v);
+      std::size_t next = 0;
+      for (int k : u.proper_pieces()) {
+        const S& t = at[next++];
+        const P along = curve_derivative<S, P>(u, row, k, t);
+        const P ruling = difference(curve_point<S, P>(u, d, k, t), curve_point<S, P>(u, c, k, t));
+        const S near = one - v;
+        const S brace = mutant.is(1) ? v * (m - t) + near * (lambda - t) : near * (m - t) + v * (lambda - t);
+        equations.equal(scaled(m - t, along),
+                        combine(brace, curve_derivative<S, P>(u, c, k, t), mutant.is(3) ? n * v : -(n * v), ruling));
+        equations.positive(brace / (m - t));
+        if constexpr (in_space<S, P>) {
+          const P normal = cross<S>(along, ruling);
+          equations.positive(dot<S>(normal, normal));
         }
       }
     }
