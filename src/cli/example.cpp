@@ -1,0 +1,70 @@
+// torse example: the papers' worked examples, the printed value beside the computed one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "torse/cli/command.hpp"
+#include "torse/cli/terminal.hpp"
+#include "torse/exact/rational/rational.hpp"
+#include "torse/io/file.hpp"
+#include "torse/proofs/examples/fj21_section8.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using proofs::ExampleRow;
+
+std::string json_of(const std::vector<ExampleRow>& rows) {
+  Json values = Json::array();
+  for (const ExampleRow& row : rows) {
+    values.push_back({{"group", row.group},
+                      {"label", row.label},
+                      {"printed", row.printed},
+                      {"computed", row.computed},
+                      {"equal", row.equal}});
+  }
+  return Json{{"torse", 1}, {"examples", {{{"id", "FJ21.E8"}, {"source", "FJ21, section 8"}, {"values", values}}}}}.dump(1) +
+         "\n";
+}
+
+void print_rows(const std::vector<ExampleRow>& rows) {
+  const Terminal terminal(stdout);
+  std::size_t label = 0;
+  std::size_t printed = 0;
+  for (const ExampleRow& row : rows) {
+    label = std::max(label, row.label.size());
+    printed = std::max(printed, row.printed.size());
+  }
+  terminal.print("FJ21, section 8: printed, computed\n");
+  std::string group;
+  for (const ExampleRow& row : rows) {
+    if (row.group != group) terminal.print(terminal.painted(Paint::dim, row.group) + "\n");
+    group = row.group;
+    const std::string mark = row.equal ? terminal.painted(Paint::good, "=") : terminal.painted(Paint::bad, "differs:");
+    terminal.print(fmt::format("  {:<{}}  {:<{}}  {} {}\n", row.label, label, row.printed, printed, mark, row.computed));
+  }
+  const auto equal = std::ranges::count(rows, true, &ExampleRow::equal);
+  terminal.print(fmt::format("{} of {} printed values reproduced exactly\n", equal, rows.size()));
+}
+
+int run_example(const std::string& json) {
+  const std::vector<ExampleRow> rows = proofs::section8_rows<Rational>();
+  if (!json.empty()) write_file(json, json_of(rows));
+  if (json != "-") print_rows(rows);
+  return std::ranges::all_of(rows, &ExampleRow::equal) ? exit_code::success : exit_code::refuted;
+}
+
+}  // namespace
+
+std::function<int()> define_example(CLI::App& app) {
+  const auto json = std::make_shared<std::string>();
+  app.add_option("--json", *json, "write the values as JSON; - is standard output")->type_name("FILE");
+  return [json] { return run_example(*json); };
+}
+
+}  // namespace torse::cli
