@@ -82,22 +82,23 @@ BlossomFunctions<S> unshortened(int degree, const S& t, const BlossomFunctions<S
   return {numerator / h, (g(e.m) * t + n * g(t) * e.m) / at_m, e.sigma * at_m / h};
 }
 
-/// The inverse of FJ21.5.4: M~ as in 5.3 with g; then Lam~ and sigma~ solve
-///   f(Lam~) + n f(t) + sigma~ (K - G/sigma) = 0,   f(Lam~) t + n f(t) Lam~ + sigma~ (J - Lam G/sigma) = 0
-/// with K = g(M~)-f(M~) + n (g(t)-f(t)), J = n M~ (g(t)-f(t)) + t (g(M~)-f(M~)), a linear system since f is affine.
+/// The inverse of FJ21.5.4. With F = f(t), G = g(t), the slopes f_1, g_1, L = Lam - t, K = M - t and
+/// Q = G^2 (n F - f_1 L) + sigma (F^2 (n G - g_1 K) - G^2 (n F - f_1 K)):
+/// Lam~ = t + (n+1) F G (G L + sigma K (F-G)) / Q, M~ = t + (n+1) G K / (n G - g_1 K), sigma~ = sigma F^2 (n G - g_1 K)
+/// / Q. Throws DivisionByZero (exact fields) where Lam~ or M~ is at infinity.
 template <Field S>
 BlossomFunctions<S> shortened_functions(int degree, const S& t, const BlossomFunctions<S>& b, const Linear<S>& f,
                                         const Linear<S>& g) {
   const S n = from_int<S>(degree);
-  const S m = (b.m * (n * g(t) + g.constant) - g.constant * t) / (n * g(t) + g.slope * (t - b.m));
-  const S ratio = (n * g(t) + g(m)) / b.sigma;
-  const S k = g(m) - f(m) + n * (g(t) - f(t)) - ratio;
-  const S j = n * m * (g(t) - f(t)) + t * (g(m) - f(m)) - b.lambda * ratio;
-  // sigma~ = -(f(Lam~) + n f(t)) / k, put into the second equation and solved for Lam~.
-  const S constant = f.constant * t * k - j * (f.constant + n * f(t));
-  const S slope = (f.slope * t + n * f(t)) * k - j * f.slope;
-  const S lambda = -constant / slope;
-  return {lambda, m, -(f(lambda) + n * f(t)) / k};
+  const S over = from_int<S>(degree + 1);
+  const S left = b.lambda - t;
+  const S right = b.m - t;
+  const S ft = f(t);
+  const S gt = g(t);
+  const S at_m = n * gt - g.slope * right;
+  const S q = gt * gt * (n * ft - f.slope * left) + b.sigma * (ft * ft * at_m - gt * gt * (n * ft - f.slope * right));
+  return {t + over * ft * gt * (gt * left + b.sigma * right * (ft - gt)) / q, t + over * gt * right / at_m,
+          b.sigma * ft * ft * at_m / q};
 }
 
 }  // namespace torse

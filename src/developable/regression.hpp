@@ -1,7 +1,7 @@
 // The edge of regression, FJ21 section 6.
 //   edge_parameter        6.1, v(t)           edge_speed          alpha, beta of section 6
 //   edge_row              r(t) = (1-v) p + v q at one parameter
-//   edge_curve            the Bezier rows of degree n+1 of r for constant Lam, M and sigma = 1
+//   edge_curve            the Bezier rows of degree n+1 of the edge for constant Lam, M, sigma
 //   edge_patch            Theorem 6.1: the patch of degree n with constant Lam, M, sigma = 1 on the tangents of r
 #pragma once
 
@@ -44,22 +44,25 @@ P edge_row(const S& v, const P& p, const P& q) {
   return combine(from_int<S>(1) - v, p, v, q);
 }
 
-/// The n + 2 Bezier rows on [0, 1] of the edge of regression of a patch with constant Lam != M and sigma = 1 (FJ21,
-/// section 6): (1-v) p + v q with v = (t-M)/(Lam-M). Throws InvalidInput naming "Lambda" for Lam = M.
+/// The n + 2 Bezier rows on [0, 1] of the edge of regression of a patch with constant Lam != M and sigma:
+/// R = ((Lam-t) p + sigma (t-M) q) / (Lam-M), of degree n+1 for every sigma. It is r of FJ21.6.1 for sigma = 1 and a
+/// multiple of it by a polynomial of degree one otherwise, the same curve in space. Throws InvalidInput naming "Lambda"
+/// for Lam = M, where the edge is one point.
 template <Field S, Point<S> P>
-std::vector<P> edge_curve(const std::vector<P>& p, const std::vector<P>& q, const S& lambda, const S& m) {
-  if (definitely(equal(lambda, m))) {
+std::vector<P> edge_curve(const std::vector<P>& p, const std::vector<P>& q, const BlossomFunctions<S>& f) {
+  if (definitely(equal(f.lambda, f.m))) {
     throw InvalidInput("Lambda", "expected a value other than M: a cylinder or cone has no edge curve");
   }
-  const S over = from_int<S>(1) / (lambda - m);
-  std::vector<P> r = times_linear(p, Linear<S>{lambda * over, -over});
-  const std::vector<P> right = times_linear(q, Linear<S>{-m * over, over});
+  const S over = from_int<S>(1) / (f.lambda - f.m);
+  const S right_over = f.sigma * over;
+  std::vector<P> r = times_linear(p, Linear<S>{f.lambda * over, -over});
+  const std::vector<P> right = times_linear(q, Linear<S>{-f.m * right_over, right_over});
   for (std::size_t i = 0; i < r.size(); ++i) add(r[i], right[i]);
   return r;
 }
 
-/// The Bezier rows of degree n on [0, 1] of r(t) + (x-t)/(n+1) r'(t), which is the blossom r[t^<n>, x]: one boundary of the
-/// patch of FJ21 Theorem 6.1 on the tangent surface of the curve r of degree n+1 (p for x = M, q for x = Lam).
+/// The Bezier rows of degree n on [0, 1] of r(t) + (x-t)/(n+1) r'(t), which is the blossom r[t^<n>, x]: one boundary of
+/// the patch of FJ21 Theorem 6.1 on the tangent surface of the curve r of degree n+1 (p for x = M, q for x = Lam).
 template <Field S, Point<S> P>
 std::vector<P> edge_patch(const std::vector<P>& r, const S& x) {
   std::vector<P> rows;

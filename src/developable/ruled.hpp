@@ -1,4 +1,6 @@
 // A ruled surface (1-v) c(u) + v d(u) between two B-spline curves over one knot list.
+//   RuledSpline           knots and two control rows
+//   standard_parameter    FJ21.4.1, from the parameter of the homogeneous ruling to that of the affine one
 #pragma once
 
 #include <string>
@@ -35,5 +37,14 @@ struct RuledSpline {
     }
   }
 };
+
+/// V = v omega / ((1-v) w + v omega): the point (1-v) p + v q of the ruling between the rows p = w (1, c) and q = omega
+/// (1, d) is (1-V) c + V d (after FJ21.4.1). With w and omega exchanged it is the inverse. Throws DivisionByZero (exact
+/// fields) for a point at infinity.
+template <Field S>
+S standard_parameter(const S& v, const S& w, const S& omega) {
+  const S right = v * omega;
+  return right / ((from_int<S>(1) - v) * w + right);
+}
 
 }  // namespace torse
