@@ -187,10 +187,9 @@ void print_summary(const Terminal& terminal, const std::vector<CheckedFile>& fil
 }
 
 void print_files(const std::vector<CheckedFile>& files, const std::vector<ReportCase>& cases) {
-  constexpr std::size_t widest = 48;
   std::size_t width = 0;
   for (const CheckedFile& checked : files) {
-    if (!checked.error) width = std::max(width, std::min(printable(checked.file).size(), widest));
+    if (!checked.error) width = std::max(width, printable(checked.file).size());
   }
   const Terminal terminal(stdout);
   for (std::size_t i = 0; i < files.size(); ++i) {
