@@ -172,8 +172,8 @@ $n(v)\times n(w)=(v-w)\,[d',c',d-c]\,(d-c)$.)",
     equations.equal(det, factor * dependence_residual(four).front());
 
     const P ruling = difference(d_taylor[0], c_taylor[0]);
-    const auto normal = [&](const S& v) {
-      return cross<S>(combine(from_int<S>(1) - v, c_taylor[1], v, d_taylor[1]), ruling);
+    const auto normal = [&in, &ruling](const S& v) {
+      return cross<S>(combine(from_int<S>(1) - v, in.jets.c_taylor[1], v, in.jets.d_taylor[1]), ruling);
     };
     const S turn = mutant.is(3) ? in.w - in.v : in.v - in.w;
     equations.equal(cross<S>(normal(in.v), normal(in.w)), scaled(turn * det, ruling));

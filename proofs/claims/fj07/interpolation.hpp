@@ -178,8 +178,8 @@ $n=v\times w$.)",
       ends.sigma0 *= product * product;
     }
     const std::vector<P> d = linear_net<S, P>(u, c, lambda, m0, combine(from_int<S>(1), c.front(), ends.sigma0, v));
-    const auto ruling = [&](int k, const S& t) {
-      return difference(curve_point<S, P>(u, d, k, t), curve_point<S, P>(u, c, k, t));
+    const auto ruling = [&in, &d](int k, const S& t) {
+      return difference(curve_point<S, P>(in.u, d, k, t), curve_point<S, P>(in.u, in.c, k, t));
     };
     P at_begin = ruling(1, u.domain_begin());
     P at_end = ruling(u.pieces(), u.domain_end());

@@ -1,9 +1,12 @@
 // The claims of FJ07 (Fernandez-Jambrina 2007) in ledger order.
 #pragma once
 
+#include "torse/proofs/claims/fj07/aumann.hpp"
 #include "torse/proofs/claims/fj07/blossoms.hpp"
 #include "torse/proofs/claims/fj07/cells.hpp"
 #include "torse/proofs/claims/fj07/classes.hpp"
+#include "torse/proofs/claims/fj07/cones.hpp"
+#include "torse/proofs/claims/fj07/corollary2.hpp"
 #include "torse/proofs/claims/fj07/developability.hpp"
 #include "torse/proofs/claims/fj07/interpolation.hpp"
 #include "torse/proofs/claims/fj07/linear_net.hpp"
