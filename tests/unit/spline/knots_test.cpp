@@ -1,0 +1,73 @@
+// Knot lists: counting in the papers' convention, the CAD convention, and every rejected list with the place named.
+#include "torse/spline/knots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "splines.hpp"
+
+namespace torse::test {
+namespace {
+
+TEST(KnotList, CountsVerticesAndPieces) {
+  const KnotList<Q> u = knots(3, {0, 0, 0, 2, 3, 5, 5, 5});
+  EXPECT_EQ(u.degree(), 3);
+  EXPECT_EQ(u.size(), 8);
+  EXPECT_EQ(u.last(), 5);
+  EXPECT_EQ(u.pieces(), 3);
+  EXPECT_EQ(u.piece_begin(1), Q(0));
+  EXPECT_EQ(u.piece_end(1), Q(2));
+  EXPECT_EQ(u.piece_begin(3), Q(3));
+  EXPECT_EQ(u.piece_end(3), Q(5));
+  EXPECT_EQ(u.domain_begin(), Q(0));
+  EXPECT_EQ(u.domain_end(), Q(5));
+  EXPECT_EQ(u.clamped(), Truth::yes);
+  EXPECT_EQ(knots(3, {0, 0, 1, 2, 2, 2, 3, 4, 4}).clamped(), Truth::no);
+}
+
+TEST(KnotList, KnowsItsEmptyPieces) {
+  EXPECT_EQ(knots(3, {0, 0, 0, 2, 2, 3, 3, 3}).proper_pieces(), (std::vector<int>{1, 3}));
+  EXPECT_EQ(knots(2, {0, 1, 1, 2, 3}).proper_pieces(), (std::vector<int>{2}));
+  EXPECT_EQ(knots(2, {0, 1, 1, 2, 3}).piece_empty(1), Truth::yes);
+}
+
+TEST(KnotList, TakesAndGivesTheCadList) {
+  const std::vector<Q> cad{Q(-1), Q(0), Q(0), Q(1), Q(2), Q(2), Q(7)};
+  const KnotList<Q> u = KnotList<Q>::from_list(2, 3, cad);
+  EXPECT_EQ(u.list(), (std::vector<Q>{Q(0), Q(0), Q(1), Q(2), Q(2)}));
+  EXPECT_EQ(u.cad_list(), (std::vector<Q>{Q(0), Q(0), Q(0), Q(1), Q(2), Q(2), Q(2)}));
+  EXPECT_EQ(KnotList<Q>::from_list(2, 3, u.list()).list(), u.list());
+}
+
+TEST(KnotList, BezierLists) {
+  EXPECT_EQ(bezier_knots(2, Q(3), Q(7)).list(), (std::vector<Q>{Q(3), Q(3), Q(7), Q(7)}));
+  EXPECT_EQ(bezier_knots<Q>(1).list(), (std::vector<Q>{Q(0), Q(1)}));
+}
+
+/// The place named when making a list, or "" if it is accepted.
+template <class Make>
+std::string place_of(Make make) {
+  try {
+    static_cast<void>(make());
+  } catch (const InvalidInput& error) {
+    return error.place();
+  }
+  return {};
+}
+
+TEST(KnotList, RejectsBadListsAndNamesThePlace) {
+  EXPECT_EQ(place_of([] { return knots(0, {0, 1}); }), "degree");
+  EXPECT_EQ(place_of([] { return knots(3, {0, 0, 0, 1, 1}); }), "knots");
+  EXPECT_EQ(place_of([] { return knots(2, {0, 2, 1, 3}); }), "knots[2]");
+  EXPECT_EQ(place_of([] { return knots(2, {0, 1, 1, 1, 2}); }), "knots[3]");
+  EXPECT_EQ(place_of([] { return knots(2, {0, 0, 0, 1}); }), "knots[2]");
+  EXPECT_EQ(place_of([] { return knots(3, {0, 0, 1, 1, 2, 2}); }), "knots");  // the domain [1, 1]
+  EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 3, {Q(0), Q(1)}); }), "knots");
+  EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 2, {Q(5), Q(0), Q(1), Q(2), Q(3), Q(4)}); }), "knots[1]");
+  EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 2, {Q(0), Q(0), Q(1), Q(2), Q(3), Q(1)}); }), "knots[5]");
+  EXPECT_EQ(place_of([] { return knots(2, {0, 0, 1, 1}); }), "");
+}
+
+}  // namespace
+}  // namespace torse::test
