@@ -136,14 +136,15 @@ c'(t)=\frac{p'-w'c}{w}=\frac{n\,w_0^{n-1}w_1^{n-1}}{w^2}\,(c_1^{n-1}-c_0^{n-1}))
     auto [p0, p1] = last_pair<S, P>(u, rows, 1, in.t);
     const auto [w0, w1] = last_pair<S, Vec<S, 1>>(u, weights, 1, in.t);
 
-    const P dp = bernstein_sum(hodograph<S>(rows), in.t);
+    const std::vector<P> direct = in.curve.rows();
+    const P dp = bernstein_sum(hodograph<S>(direct), in.t);
     const S dw = bernstein_sum(hodograph<S>(weights), in.t)[0];
     const S w = bernstein_sum(weights, in.t)[0];
     equations.equal(dp, scaled(n, difference(p1, p0)));
     equations.equal(dw, n * (w1[0] - w0[0]));
 
     P quotient_rule = dp;
-    add_scaled(quotient_rule, -(dw / w), bernstein_sum(rows, in.t));
+    add_scaled(quotient_rule, -(dw / w), bernstein_sum(direct, in.t));
     divide(quotient_rule, w);
     divide(p0, w0[0]);
     divide(p1, w1[0]);

@@ -100,14 +100,17 @@ p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]\iff p[t^{<n-1>},\Lamb
     }
     S factorial = from_int<S>(1);
     for (int i = 2; i < n; ++i) factorial *= from_int<S>(i);
-    for (int k : u.proper_pieces()) {
+    const std::vector<int> pieces = u.proper_pieces();
+    for (int k : pieces) {
       std::vector<Parameter<S>> arguments;
       for (const S& argument : t) arguments.push_back(at(argument));
       arguments.push_back(at(f.lambda));
       const P left = blossom<S, P>(u, p, k, arguments);
       arguments.back() = at(f.m);
       equations.equal(left, scaled(sigma, blossom<S, P>(u, q, k, arguments)));
-      equations.equal(scaled(factorial, left), scaled(sigma, polarised(in, q, k, f.m, mutant)));
+      if (k == pieces.front()) {
+        equations.equal(scaled(factorial, left), scaled(sigma, polarised(in, q, k, f.m, mutant)));
+      }
       equations.equal(tangent_point<S, P>(u, p, k, diagonal, at(f.lambda)),
                       scaled(sigma, tangent_point<S, P>(u, q, k, diagonal, at(f.m))));
       const auto [p0, p1] = last_pair<S, P>(u, p, k, diagonal);

@@ -40,17 +40,10 @@ M=2:\ \text{(a) } r=(t+1)^3A;\ \text{(b) } r \text{ a line};\ \text{(c) } r \tex
   }
 
   template <class S, class P>
-  struct In {};
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>&, Size) {
-    return {};
-  }
-
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>&) {
-    return {};
-  }
+  struct In {
+    std::vector<std::vector<P>> r;  ///< the cubics (a) to (f)
+    S t;
+  };
 
   /// The cubic with the given coordinates, each by its coefficients of 1, t, t^2, t^3.
   template <class S>
@@ -70,45 +63,45 @@ M=2:\ \text{(a) } r=(t+1)^3A;\ \text{(b) } r \text{ a line};\ \text{(c) } r \tex
   }
 
   template <class S, class P>
-  static void residual(const In<S, P>&, Mutant mutant, Equations<S>& equations) {
+  static In<S, P> draw(Source<S>&, Size) {
+    return {{cubic<S>({{{1, 3, 3, 1}, {1, 3, 3, 1}, {2, 6, 6, 2}, {3, 9, 9, 3}}}),      // (t+1)^3 (1, 1, 2, 3)
+             cubic<S>({{{1, 0, 1, 0}, {0, 1, 0, 1}, {0, 2, 0, 2}, {0, 0, 0, 0}}}),      // (1+t^2) (1, t, 2t, 0)
+             cubic<S>({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 1}, {0, 0, 0, 0}}}),      // (1, t, t^2+t^3, 0)
+             cubic<S>({{{-8, 12, -6, 1}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}),   // weight (t-2)^3
+             cubic<S>({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 2, 3, 0}}}),      // degree 2
+             cubic<S>({{{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, -6, 1}, {0, 0, -12, 2}}})},  // b = -6 a
+            ratio<S>(1, 3)};
+  }
+
+  template <class S, class P>
+  static NonZero<S> nonzero(const In<S, P>&) {
+    return {};
+  }
+
+  template <class S, class P>
+  static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
     const S lambda = from_int<S>(3);
     const S m = from_int<S>(2);
-    const S t = ratio<S>(1, 3);
-    const int wrong = mutant.index();
-    const auto patch = [&](const std::vector<P>& r) {
-      std::vector<P> p = edge_patch(r, m);
-      std::vector<P> q = edge_patch(r, lambda);
-      equations.equal(tangent(p, t, lambda), tangent(q, t, m));
-      return std::pair(std::move(p), std::move(q));
-    };
-    {  // (a) (t+1)^3 (1, 1, 2, 3)
-      const auto [p, q] = patch(cubic<S>({{{1, 3, 3, 1}, {1, 3, 3, 1}, {2, 6, 6, 2}, {3, 9, 9, wrong == 1 ? 4 : 3}}}));
-      equations.zero(proportional_residual<S, 4>(value(p, t), value(q, t)));
+    std::vector<std::vector<P>> p;
+    std::vector<std::vector<P>> q;
+    for (std::size_t i = 0; i < in.r.size(); ++i) {
+      std::vector<P> r = in.r[i];
+      if (mutant.is(static_cast<int>(i) + 1)) r.back()[i == 3 ? 0 : 3] += from_int<S>(1);
+      p.push_back(edge_patch(r, m));
+      q.push_back(edge_patch(r, lambda));
+      equations.equal(tangent(p[i], in.t, lambda), tangent(q[i], in.t, m));
     }
-    {  // (b) the line (1 : t : 2t : 0), its rows multiplied by 1 + t^2
-      const auto [p, q] = patch(cubic<S>({{{1, 0, 1, 0}, {0, 1, 0, 1}, {0, 2, 0, 2}, {0, 0, 0, wrong == 2 ? 1 : 0}}}));
-      for (const P& row : p) equations.zero(std::vector<S>{row[2] - (row[1] + row[1]), row[3]});
-      for (const P& row : q) equations.zero(std::vector<S>{row[2] - (row[1] + row[1]), row[3]});
+    for (std::size_t i = 0; i < p[0].size(); ++i) {
+      equations.zero(proportional_residual<S, 4>(p[0][i], q[0][i]));       // (a) one point
+      equations.zero(proportional_residual<S, 4>(p[0][i], p[0].front()));  // (a)
+      for (const P& row : {p[1][i], q[1][i]}) {
+        equations.zero(std::vector<S>{row[2] - (row[1] + row[1]), row[3]});  // (b) one line
+      }
+      for (const P& row : {p[2][i], q[2][i]}) equations.zero(row[3]);  // (c) one plane
+      equations.zero(p[3][i][0]);                                      // (d) at infinity
     }
-    {  // (c) (1 : t : t^2 + t^3 : 0)
-      const auto [p, q] = patch(cubic<S>({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 1}, {0, 0, 0, wrong == 3 ? 1 : 0}}}));
-      for (const P& row : p) equations.zero(row[3]);
-      for (const P& row : q) equations.zero(row[3]);
-    }
-    {  // (d) weight (t-2)^3
-      const auto [p, q] =
-          patch(cubic<S>({{{-8, 12, -6, wrong == 4 ? 2 : 1}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}));
-      for (const P& row : p) equations.zero(row[0]);
-    }
-    {  // (e) degree 2
-      const auto [p, q] = patch(cubic<S>({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 2, 3, wrong == 5 ? 1 : 0}}}));
-      equations.equal(T6_1::leading(q), T6_1::leading(p));
-    }
-    {  // (f) r = t^3 a + t^2 b + ..., b + 3 M a = 0
-      const auto [p, q] =
-          patch(cubic<S>({{{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, -6, 1}, {0, 0, wrong == 6 ? -11 : -12, 2}}}));
-      equations.equal(T6_1::leading(p), PointTraits<P>::zero());
-    }
+    equations.equal(T6_1::leading(q[4]), T6_1::leading(p[4]));     // (e) q - p of degree 1
+    equations.equal(T6_1::leading(p[5]), PointTraits<P>::zero());  // (f) p of degree 1
   }
 };
 
