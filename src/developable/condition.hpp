@@ -1,5 +1,7 @@
 // The condition of developability, the oracle of the library: it shares no code with the constructions. A piece of a
 // ruled surface is developable iff the determinant of its first partial derivatives vanishes identically.
+//   span_matrix                 the matrix of forms of piece k whose determinant decides
+//   form_determinant            of a 3 x 3 or 4 x 4 matrix of forms
 //   span_determinant            the determinant polynomial of piece k (FJ07.3; FJ21.C3.1, degree 4(n-1))
 //   DevelopabilityWitness       piece, coefficient and value that refute
 //   find_witness                the first of them over all pieces, or none: the surface is developable
@@ -25,11 +27,17 @@ BinaryForm<S> minor2(const BinaryForm<S>& a, const BinaryForm<S>& b, const Binar
   return a * d - b * c;
 }
 
-/// The 4 x 4 determinant of forms by Laplace's expansion along the first two rows.
+}  // namespace detail
+
+/// A square matrix of forms of equal degree.
+template <Ring S, int D>
+using FormMatrix = std::array<std::array<BinaryForm<S>, static_cast<std::size_t>(D)>, static_cast<std::size_t>(D)>;
+
+/// The determinant by Laplace's expansion along the first two rows.
 template <Ring S>
-BinaryForm<S> form_det4(const std::array<std::array<BinaryForm<S>, 4>, 4>& m) {
-  const auto top = [&](std::size_t i, std::size_t j) { return minor2(m[0][i], m[0][j], m[1][i], m[1][j]); };
-  const auto low = [&](std::size_t i, std::size_t j) { return minor2(m[2][i], m[2][j], m[3][i], m[3][j]); };
+BinaryForm<S> form_determinant(const FormMatrix<S, 4>& m) {
+  const auto top = [&](std::size_t i, std::size_t j) { return detail::minor2(m[0][i], m[0][j], m[1][i], m[1][j]); };
+  const auto low = [&](std::size_t i, std::size_t j) { return detail::minor2(m[2][i], m[2][j], m[3][i], m[3][j]); };
   BinaryForm<S> det = top(0, 1) * low(2, 3);
   det -= top(0, 2) * low(1, 3);
   det += top(0, 3) * low(1, 2);
@@ -39,7 +47,45 @@ BinaryForm<S> form_det4(const std::array<std::array<BinaryForm<S>, 4>, 4>& m) {
   return det;
 }
 
-}  // namespace detail
+/// The determinant by the first row.
+template <Ring S>
+BinaryForm<S> form_determinant(const FormMatrix<S, 3>& m) {
+  return m[0][0] * detail::minor2(m[1][1], m[1][2], m[2][1], m[2][2]) -
+         m[0][1] * detail::minor2(m[1][0], m[1][2], m[2][0], m[2][2]) +
+         m[0][2] * detail::minor2(m[1][0], m[1][1], m[2][0], m[2][1]);
+}
+
+/// dP/ds, dP/dt, dQ/ds, dQ/dt on piece k of a rational ruled surface with homogeneous rows p, q.
+template <Field S>
+FormMatrix<S, 4> span_matrix(const KnotList<S>& u, std::span<const Vec<S, 4>> p, std::span<const Vec<S, 4>> q, int k) {
+  const std::vector<BinaryForm<S>> basis = basis_forms(u, k);
+  const auto pf = piece_forms<S, 4>(basis, p, k);
+  const auto qf = piece_forms<S, 4>(basis, q, k);
+  FormMatrix<S, 4> m;
+  for (std::size_t j = 0; j < 4; ++j) {
+    m[0][j] = pf[j].derivative_s();
+    m[1][j] = pf[j].derivative_t();
+    m[2][j] = qf[j].derivative_s();
+    m[3][j] = qf[j].derivative_t();
+  }
+  return m;
+}
+
+/// dC/dt - dC/ds, dD/ds - dC/ds, dD/dt - dC/ds on piece k of a polynomial ruled surface.
+template <Field S>
+FormMatrix<S, 3> span_matrix(const KnotList<S>& u, std::span<const Vec<S, 3>> c, std::span<const Vec<S, 3>> d, int k) {
+  const std::vector<BinaryForm<S>> basis = basis_forms(u, k);
+  const auto cf = piece_forms<S, 3>(basis, c, k);
+  const auto df = piece_forms<S, 3>(basis, d, k);
+  FormMatrix<S, 3> m;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const BinaryForm<S> origin = cf[j].derivative_s();
+    m[0][j] = cf[j].derivative_t() - origin;
+    m[1][j] = df[j].derivative_s() - origin;
+    m[2][j] = df[j].derivative_t() - origin;
+  }
+  return m;
+}
 
 /// The determinant of dP/ds, dP/dt, dQ/ds, dQ/dt on piece k of a rational ruled surface with homogeneous rows p, q: n^4
 /// times det(p_0^{n-1}, p_1^{n-1}, q_0^{n-1}, q_1^{n-1}) of FJ21 Corollary 3.1, of degree 4(n-1). The piece is
@@ -47,17 +93,7 @@ BinaryForm<S> form_det4(const std::array<std::array<BinaryForm<S>, 4>, 4>& m) {
 template <Field S>
 BinaryForm<S> span_determinant(const KnotList<S>& u, std::span<const Vec<S, 4>> p, std::span<const Vec<S, 4>> q,
                                int k) {
-  const std::vector<BinaryForm<S>> basis = basis_forms(u, k);
-  const auto pf = piece_forms<S, 4>(basis, p, k);
-  const auto qf = piece_forms<S, 4>(basis, q, k);
-  std::array<std::array<BinaryForm<S>, 4>, 4> rows;
-  for (std::size_t j = 0; j < 4; ++j) {
-    rows[0][j] = pf[j].derivative_s();
-    rows[1][j] = pf[j].derivative_t();
-    rows[2][j] = qf[j].derivative_s();
-    rows[3][j] = qf[j].derivative_t();
-  }
-  return detail::form_det4(rows);
+  return form_determinant<S>(span_matrix<S>(u, p, q, k));
 }
 
 /// The determinant [c', d-c, d'] of FJ07.3 on piece k of a polynomial ruled surface, up to a positive constant, as a form
@@ -65,19 +101,7 @@ BinaryForm<S> span_determinant(const KnotList<S>& u, std::span<const Vec<S, 4>> 
 template <Field S>
 BinaryForm<S> span_determinant(const KnotList<S>& u, std::span<const Vec<S, 3>> c, std::span<const Vec<S, 3>> d,
                                int k) {
-  const std::vector<BinaryForm<S>> basis = basis_forms(u, k);
-  const auto cf = piece_forms<S, 3>(basis, c, k);
-  const auto df = piece_forms<S, 3>(basis, d, k);
-  std::array<std::array<BinaryForm<S>, 3>, 3> m;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const BinaryForm<S> origin = cf[j].derivative_s();
-    m[0][j] = cf[j].derivative_t() - origin;
-    m[1][j] = df[j].derivative_s() - origin;
-    m[2][j] = df[j].derivative_t() - origin;
-  }
-  return m[0][0] * detail::minor2(m[1][1], m[1][2], m[2][1], m[2][2]) -
-         m[0][1] * detail::minor2(m[1][0], m[1][2], m[2][0], m[2][2]) +
-         m[0][2] * detail::minor2(m[1][0], m[1][1], m[2][0], m[2][1]);
+  return form_determinant<S>(span_matrix<S>(u, c, d, k));
 }
 
 /// What refutes developability: Bernstein coefficient `coefficient` of the determinant of piece `piece` is not zero.
