@@ -8,6 +8,7 @@
 
 #include "torse/exact/decide/bound.hpp"
 #include "torse/exact/decide/lane_surface.hpp"
+#include "torse/exact/decide/relation.hpp"
 
 namespace torse {
 namespace {
@@ -57,7 +58,9 @@ std::optional<DevelopabilityWitness<Rational>> find_witness_modular(const KnotLi
   }
   const std::vector<Integer> knots = integer_knots(u.list());
   std::vector<OpenPiece> open;
+  RelationProver<D> relations(u.degree(), knots, c, d);
   for (const int k : u.proper_pieces()) {
+    if (relations.prove(k)) continue;
     const long bits = determinant_bits<D>(u, knots, c, d, k);
     if (bits > 0) open.push_back({k, bits});
   }

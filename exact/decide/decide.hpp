@@ -14,7 +14,8 @@ namespace torse {
 /// where the determinant does not vanish; none proves that the surface is developable. D = 3: points of a polynomial
 /// surface, D = 4: homogeneous rows; L+1 of them in each row, or InvalidInput naming "points" is thrown.
 ///
-/// A coefficient that is not zero modulo a prime is not zero: the exact coefficients up to the first such one give the
+/// A piece whose rows obey a constant relation (relation.hpp) is developable. For the others:
+/// a coefficient that is not zero modulo a prime is not zero: the exact coefficients up to the first such one give the
 /// witness. A determinant that is zero modulo primes whose product exceeds the bound of bound.hpp is zero. Nothing is
 /// left to chance: primes that divide a denominator are not counted.
 template <int D>

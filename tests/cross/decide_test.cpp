@@ -14,6 +14,7 @@
 #include "torse/exact/decide/bound.hpp"
 #include "torse/exact/decide/lane_surface.hpp"
 #include "torse/exact/decide/prime_lanes.hpp"
+#include "torse/exact/decide/relation.hpp"
 #include "torse/proofs/sources.hpp"
 
 namespace torse {
@@ -288,7 +289,7 @@ void expect_bound(const Net<D>& net) {
 }
 
 TEST(Decide, TheBoundHolds) {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     expect_bound<3>(random_net<3>(seed));
     expect_bound<4>(random_net<4>(seed));
   }
@@ -307,6 +308,36 @@ TEST(Decide, TheBoundHoldsWhereEverySignAddsUp) {
     }
     expect_bound<3>(net);
     expect_same<3>(net, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(Decide, ARelationThatHoldsModuloItsPrimeOnlyProvesNothing) {
+  const Rational prime(RelationProver<3>::prime);
+  int developable = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    FractionSource<Rational> from(seed, Temper::clamped);
+    const Size size{1 + static_cast<int>(seed % 4), 2};
+    Net<3> net{KnotList<Rational>(size.n, from.knots(size)), {}, {}};
+    for (int i = 0; i <= size.last(); ++i) net.c.push_back(random_point<3>(from));
+    net.d = second_row<3>(net.u, net.c, Made::by_recursion, from);
+    developable += !expect_same<3>(net, "seed " + std::to_string(seed));
+    net.d[seed % net.d.size()][0] += prime;
+    developable += !expect_same<3>(net, "changed, seed " + std::to_string(seed));
+  }
+  EXPECT_LT(developable, 150);
+}
+
+TEST(RelationProver, FindsTheRelationOfTheRecursion) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    FractionSource<Rational> from(seed, Temper::repeated);
+    const Size size{1 + static_cast<int>(seed % 5), 1 + static_cast<int>(seed % 3)};
+    const KnotList<Rational> u(size.n, from.knots(size));
+    std::vector<Vec<Rational, 4>> p;
+    for (int i = 0; i <= size.last(); ++i) p.push_back(random_point<4>(from));
+    const std::vector<Vec<Rational, 4>> q = second_row<4>(u, p, Made::by_recursion, from);
+    const std::vector<Integer> knots = integer_knots(u.list());
+    RelationProver<4> prover(size.n, knots, p, q);
+    for (const int k : u.proper_pieces()) EXPECT_TRUE(prover.prove(k)) << seed;
   }
 }
 
