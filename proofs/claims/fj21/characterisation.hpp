@@ -30,6 +30,22 @@ Coefficients<S> draw_coefficients(Source<S>& from) {
   return {std::move(l0), std::move(l1), std::move(m0), from.scalar()};
 }
 
+/// Makes the last but one rows at t of two curves dependent with the given coefficients. The curves are given by their
+/// Bezier rows on [t, t+1], whose second ones are p' and q' on entry; z is free: p_0 = (m_0+m_1) z - l_1 p', p_1 = p_0
+/// + (l_0+l_1) p', so that l_0 p_0 + l_1 p_1 = (l_0+l_1)(m_0+m_1) z, and q likewise.
+template <class S, class P>
+void make_dependent(std::vector<P>& p, std::vector<P>& q, const S& t, const Coefficients<S>& k, const P& z) {
+  const auto change = [&](std::vector<P>& local, const S& sum, const S& k0, const S& k1) {
+    const P x0 = combine(sum, z, -k1, local[1]);
+    const P x1 = combine(sum, z, k0, local[1]);
+    const S one = from_int<S>(1);
+    local[0] = combine(one - t, x0, t, x1);
+    local[1] = combine(-t, x0, one + t, x1);
+  };
+  change(p, k.m0 + k.m1, k.l0, k.l1);
+  change(q, k.l0 + k.l1, k.m0, k.m1);
+}
+
 /// FJ21.3.3: the dependence, divided by lambda_0 + lambda_1.
 struct Eq3_3 {
   static constexpr PointKind points = PointKind::linear;
@@ -132,21 +148,11 @@ p[t^{<n-1>},\Lambda(t)]=\sigma(t)\,q[t^{<n-1>},M(t)])",
     Coefficients<S> k;
   };
 
-  /// Z, p' and q' at t are free: p_0 = (m_0+m_1) Z - l_1 D, p_1 = p_0 + (l_0+l_1) D, so that l_0 p_0 + l_1 p_1 =
-  /// (l_0+l_1)(m_0+m_1) Z; q likewise with the other sums.
   template <class S, class P>
   static In<S, P> build(const S& t, const Coefficients<S>& k, std::vector<P> p, std::vector<P> q, const P& z) {
-    const auto local = [&](std::vector<P>& rows, const S& sum, const S& k0, const S& k1) {
-      const P d = rows[1];
-      const P x0 = combine(sum, z, -k1, d);
-      const P x1 = combine(sum, z, k0, d);
-      const S one = from_int<S>(1);
-      rows[0] = combine(one - t, x0, t, x1);
-      rows[1] = combine(-t, x0, one + t, x1);
-      return from_local(rows, t);
-    };
-    std::vector<P> p_rows = local(p, k.m0 + k.m1, k.l0, k.l1);
-    return {std::move(p_rows), local(q, k.l0 + k.l1, k.m0, k.m1), t, k};
+    make_dependent(p, q, t, k, z);
+    std::vector<P> p_rows = from_local(p, t);
+    return {std::move(p_rows), from_local(q, t), t, k};
   }
 
   template <class S, class P>

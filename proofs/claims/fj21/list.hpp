@@ -18,8 +18,8 @@
 
 namespace torse::proofs::fj21 {
 
-using Claims =
-    ClaimList<Eq2_1, Eq3_1, Eq3_2, P3_1, C3_1, Eq3_3, Eq3_5, T3_1, T3_1_excluded, T3_2, Eq4_1, Eq4_3, Eq4_4, C4_1, W,
-              Eq5_1, Eq5_2, Eq5_3, Eq5_4, K, Eq6, Eq6_1, C6_1, T6_1, T6_1_cone, T6_1_witnesses, Eq7_1, E8>;
+using Claims = ClaimList<Eq2_1, Eq3_1, Eq3_2, P3_1, C3_1, Eq3_3, Eq3_5, T3_1, T3_1_excluded, T3_2, T3_2_pieces, Eq4_1,
+                         Eq4_3, Eq4_4, C4_1, W, Eq5_1, Eq5_2, Eq5_3, Eq5_4, K, Eq6, Eq6_1, C6_1, T6_1, T6_1_cone,
+                         T6_1_witnesses, Eq7_1, E8>;
 
 }  // namespace torse::proofs::fj21

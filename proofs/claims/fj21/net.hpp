@@ -32,7 +32,8 @@ p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]\iff p[t^{<n-1>},\Lamb
         .remark =
             "For M = u_j, j < L, the vertex q_{j+1} is not determined by the relation; for a later knot q forgets q_0. "
             "The same "
-            "cells, with the knots of the list, hold on splines with any number of pieces."};
+            "cells, with the knots of the list, hold on splines with any number of pieces. The polarised sum is "
+            "evaluated for n <= 6."};
     return info;
   }
 
@@ -61,6 +62,9 @@ p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]\iff p[t^{<n-1>},\Lamb
   static NonZero<S> nonzero(const In<S, P>& in) {
     return {off_knots(in.u, in.f.m), {in.f.sigma}};
   }
+
+  /// The sum has 2^{n-1} terms: it is left out above this degree.
+  static constexpr int polarised_degrees = 6;
 
   /// (n-1)! rows[t_1, ..., t_{n-1}, x] on piece k from diagonal values alone.
   template <class S, class P>
@@ -108,7 +112,7 @@ p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]\iff p[t^{<n-1>},\Lamb
       const P left = blossom<S, P>(u, p, k, arguments);
       arguments.back() = at(f.m);
       equations.equal(left, scaled(sigma, blossom<S, P>(u, q, k, arguments)));
-      if (k == pieces.front()) {
+      if (k == pieces.front() && n <= polarised_degrees) {
         equations.equal(scaled(factorial, left), scaled(sigma, polarised(in, q, k, f.m, mutant)));
       }
       equations.equal(tangent_point<S, P>(u, p, k, diagonal, at(f.lambda)),

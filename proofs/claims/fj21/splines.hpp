@@ -1,5 +1,6 @@
 // FJ21 on splines with several pieces.
-//   T3_2     Theorem 3.2, each piece with its own functions       K     knot insertion
+//   T3_2     Theorem 3.2, each piece with its own functions       T3_2_pieces     an example of that
+//   K        knot insertion
 #pragma once
 
 #include <array>
@@ -7,11 +8,15 @@
 #include <vector>
 
 #include "torse/algebra/dependence.hpp"
+#include "torse/developable/condition.hpp"
+#include "torse/developable/recovery.hpp"
+#include "torse/proofs/claims/fj21/characterisation.hpp"
 #include "torse/proofs/claims/fj21/pair.hpp"
 
 namespace torse::proofs::fj21 {
 
-/// FJ21.T3.2 at one parameter: a spline whose pieces obey 3.5, each with its own Lam, M, sigma.
+/// FJ21.T3.2 on every piece at one parameter: vertices with any dependence there obey 3.5 with the piece's own Lam, M,
+/// sigma, and vertices that obey 3.5 are dependent.
 struct T3_2 {
   static constexpr PointKind points = PointKind::coplanar;
   static constexpr int dimension = 4;
@@ -23,86 +28,93 @@ struct T3_2 {
         .statement = R"(p[t^{<n-1>},\Lambda_k(t)]=\sigma_k(t)\,q[t^{<n-1>},M_k(t)]\iff
 \operatorname{rank}(p_0^{n-1},p_1^{n-1},q_0^{n-1},q_1^{n-1})(t)\le 3\ \text{on piece } k,\ k=1..N)",
         .kind = Kind::equivalence,
-        .hypotheses = {{"t is not the start of a piece", false},
-                       {"no M_k is the start of piece k", false},
-                       {"no sigma_k is 0", false}},
+        .hypotheses = {{"the dependence on each piece has lambda_0 + lambda_1 not 0", true},
+                       {"the dependence on each piece has mu_0 + mu_1 not 0", false}},
         .mutants = {"Lam_k and M_k exchanged", "1/sigma_k in the place of sigma_k",
-                    "the functions of the first piece on all pieces", "the last vertex of q moved"},
+                    "the functions of the first piece on all pieces", "a vertex of q moved"},
         .remark =
             "The paper asks for one triple of rational functions on the whole spline. That is sufficient but not "
-            "necessary: "
-            "each piece has its own triple, and a developable spline may change it at any knot, as two planar cells of "
-            "degree "
-            "one show. The hypotheses only say that the last vertex of q in a piece can be found from the relation; "
-            "the "
-            "equivalence on a piece is Theorem 3.1 and needs what that needs."};
+            "necessary: each piece has its own triple, and a developable spline may change it at a knot, see "
+            "FJ21.T3.2.pieces."};
     return info;
   }
+
+  /// The part of a spline surface that one piece sees.
+  template <class S, class P>
+  struct Piece {
+    std::vector<P> p;
+    std::vector<P> q;
+    Coefficients<S> k;
+  };
 
   template <class S, class P>
   struct In {
     KnotList<S> u;
-    std::vector<P> p;
-    std::vector<P> q;  ///< the last vertex of each proper piece is a placeholder
     S t;
-    std::vector<BlossomFunctions<S>> f;
+    std::vector<Piece<S, P>> pieces;
   };
+
+  /// The row c_0..c_L in which the n + 1 vertices of piece k belong to the curve with the given Bezier rows on [t,
+  /// t+1].
+  template <class S, class P>
+  static std::vector<P> vertices(const KnotList<S>& u, int k, const std::vector<P>& local, const S& t) {
+    const int n = u.degree();
+    const KnotList<S> at_t = bezier_knots(n, t, t + from_int<S>(1));
+    std::vector<P> row(static_cast<std::size_t>(u.last()) + 1, PointTraits<P>::zero());
+    for (int i = k - 1; i < k + n; ++i) {
+      std::vector<Parameter<S>> arguments;
+      for (int j = i; j < i + n; ++j) arguments.push_back(at(u[j]));
+      row[static_cast<std::size_t>(i)] = blossom<S, P>(at_t, local, 1, arguments);
+    }
+    return row;
+  }
+
+  template <class S, class P>
+  static In<S, P> build(KnotList<S> u, const S& t, std::vector<Piece<S, P>> pieces, const std::vector<P>& z) {
+    for (int k = 1; k <= u.pieces(); ++k) {
+      auto& [p, q, coefficients] = pieces[static_cast<std::size_t>(k) - 1];
+      make_dependent(p, q, t, coefficients, z[static_cast<std::size_t>(k) - 1]);
+      p = vertices(u, k, p, t);
+      q = vertices(u, k, q, t);
+    }
+    return {std::move(u), t, std::move(pieces)};
+  }
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
     KnotList<S> u(size.n, from.knots(size));
-    std::vector<P> p = from.template points<P>(size.last() + 1);
-    std::vector<P> q = from.template points<P>(size.last() + 1);
-    S t = from.scalar();
-    std::vector<BlossomFunctions<S>> f;
-    for (int k = 1; k <= u.pieces(); ++k) f.push_back(draw_functions(from));
-    return {std::move(u), std::move(p), std::move(q), std::move(t), std::move(f)};
+    const S t = from.scalar();
+    std::vector<Piece<S, P>> pieces;
+    for (int k = 1; k <= u.pieces(); ++k) {
+      std::vector<P> p = from.template points<P>(size.n + 1);
+      std::vector<P> q = from.template points<P>(size.n + 1);
+      pieces.push_back({std::move(p), std::move(q), draw_coefficients(from)});
+    }
+    return build<S, P>(std::move(u), t, std::move(pieces), from.template points<P>(size.pieces));
   }
 
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>& in) {
-    NonZero<S> factors(3);
-    for (int k = 1; k <= in.u.pieces(); ++k) {
-      const BlossomFunctions<S>& f = in.f[static_cast<std::size_t>(k) - 1];
-      if (in.u.degree() > 1) factors[0].push_back(in.t - in.u.piece_begin(k));
-      factors[1].push_back(f.m - in.u.piece_begin(k));
-      factors[2].push_back(f.sigma);
+    NonZero<S> factors(2);
+    for (const Piece<S, P>& piece : in.pieces) {
+      factors[0].push_back(piece.k.l0 + piece.k.l1);
+      factors[1].push_back(piece.k.m0 + piece.k.m1);
     }
     return factors;
   }
 
-  /// The row q with the last vertex of each proper piece such that 3.5 holds on the piece at t.
-  template <class S, class P>
-  static std::vector<P> solve(const In<S, P>& in) {
-    const auto& [u, p, placeholder, t, functions] = in;
-    const int n = u.degree();
-    std::vector<P> q = placeholder;
-    for (int k : u.proper_pieces()) {
-      const BlossomFunctions<S>& f = functions[static_cast<std::size_t>(k) - 1];
-      const std::size_t last = static_cast<std::size_t>(k + n - 1);
-      S weight = (f.m - u.piece_begin(k)) / (u[n + k - 1] - u.piece_begin(k));
-      for (int j = 1; j < n; ++j) weight *= (t - u.piece_begin(k)) / (u[n + k - 1 + j] - u.piece_begin(k));
-      q[last] = PointTraits<P>::zero();
-      P rest = tangent_point<S, P>(u, p, k, t, at(f.lambda));
-      divide(rest, f.sigma);
-      subtract(rest, tangent_point<S, P>(u, q, k, t, at(f.m)));
-      divide(rest, weight);
-      q[last] = std::move(rest);
-    }
-    return q;
-  }
-
   template <class S, class P>
   static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
-    std::vector<P> q = solve(in);
-    if (mutant.is(4)) add(q.back(), in.p.front());
     for (int k : in.u.proper_pieces()) {
-      BlossomFunctions<S> f = in.f[mutant.is(3) ? 0 : static_cast<std::size_t>(k) - 1];
+      const auto& [p, q_row, coefficients] = in.pieces[static_cast<std::size_t>(k) - 1];
+      std::vector<P> q = q_row;
+      if (mutant.is(4)) add(q[static_cast<std::size_t>(k) - 1], p[static_cast<std::size_t>(k)]);
+      BlossomFunctions<S> f = mutant.is(3) ? in.pieces.front().k.functions() : coefficients.functions();
       if (mutant.is(1)) std::swap(f.lambda, f.m);
       if (mutant.is(2)) f.sigma = from_int<S>(1) / f.sigma;
-      equations.equal(tangent_point<S, P>(in.u, in.p, k, in.t, at(f.lambda)),
+      equations.equal(tangent_point<S, P>(in.u, p, k, in.t, at(f.lambda)),
                       scaled(f.sigma, tangent_point<S, P>(in.u, q, k, in.t, at(f.m))));
-      const auto [p0, p1] = last_pair<S, P>(in.u, in.p, k, in.t);
+      const auto [p0, p1] = last_pair<S, P>(in.u, p, k, in.t);
       const auto [q0, q1] = last_pair<S, P>(in.u, q, k, in.t);
       equations.zero(dependence_residual(std::array<P, 4>{p0, p1, q0, q1}));
     }
@@ -110,17 +122,84 @@ struct T3_2 {
 
   template <class S, class P>
   static std::vector<Failure<In<S, P>>> failures() {
-    const S zero = from_int<S>(0);
     const S one = from_int<S>(1);
-    const S two = from_int<S>(2);
-    const auto make = [&](const S& t, const S& m, const S& sigma) {
-      In<S, P> in{bezier_knots<S>(2), {}, {}, t, {{two, m, sigma}}};
-      const PairInput<S, P> pair = line_pair<S, P>(t, in.f[0]);
-      in.p = {pair.p[0], pair.q[0], pair.p[1]};
-      in.q = {pair.q[1], pair.p[0], pair.q[0]};
-      return in;
+    const S third = ratio<S>(1, 3);
+    const PairInput<S, P> pair = line_pair<S, P>(third, {one, one, one});
+    const auto make = [&](const Coefficients<S>& k) {
+      return build<S, P>(bezier_knots<S>(1), third, {{pair.p, pair.q, k}}, {pair.p[0]});
     };
-    return {{0, make(zero, two, one)}, {1, make(two, zero, one)}, {2, make(two, two, zero)}};
+    return {{0, make({one, -one, one, one})}, {1, make({one, one, one, -one})}};
+  }
+};
+
+/// A developable spline of degree one whose two cells have different Lam, M, sigma.
+struct T3_2_pieces {
+  static constexpr PointKind points = PointKind::space;
+  static constexpr int dimension = 4;
+  static const ClaimInfo& info() {
+    static const ClaimInfo info{
+        .id = "FJ21.T3.2.pieces",
+        .source = "Theorem 3.2, read with one triple of functions",
+        .title = "Lam, M, sigma may change at a knot",
+        .statement =
+            R"(n=1,\ N=2,\ u=(0,1,2):\quad(\Lambda_1,M_1,\sigma_1)=(3,5,2),\ (\Lambda_2,M_2,\sigma_2)=(4,-1,1))",
+        .kind = Kind::example,
+        .hypotheses = {},
+        .mutants = {"the second cell left its plane", "the first cell left its plane", "one triple on both cells"},
+        .max_degree = 1,
+        .max_pieces = 2,
+        .remark =
+            "Both determinants vanish, so the surface is developable on both pieces, and each cell determines its "
+            "own triple. Degree one is the simplest instance; with n-fold knots the same happens in every degree."};
+    return info;
+  }
+
+  template <class S, class P>
+  struct In {
+    KnotList<S> u;
+    std::vector<P> p;
+    std::vector<P> q;
+    std::vector<BlossomFunctions<S>> f;
+  };
+
+  template <class S, class P>
+  static In<S, P> draw(Source<S>&, Size) {
+    const auto number = [](int i) { return from_int<S>(i); };
+    const auto row = [&](int w, int x, int y, int z) { return P(number(w), number(x), number(y), number(z)); };
+    In<S, P> in{KnotList<S>(1, {number(0), number(1), number(2)}),
+                {row(1, 0, 0, 0), row(1, 1, 0, 2), row(2, 3, 1, 0)},
+                {row(1, 0, 1, 1)},
+                {{number(3), number(5), number(2)}, {number(4), number(-1), number(1)}}};
+    for (int i = 0; i < 2; ++i) {
+      const std::size_t cell = static_cast<std::size_t>(i);
+      const auto& [lambda, m, sigma] = in.f[cell];
+      P next = combine(in.u[i + 1] - lambda, in.p[cell], lambda - in.u[i], in.p[cell + 1]);
+      divide(next, sigma);
+      add_scaled(next, m - in.u[i + 1], in.q[cell]);
+      divide(next, m - in.u[i]);
+      in.q.push_back(std::move(next));
+    }
+    return in;
+  }
+
+  template <class S, class P>
+  static NonZero<S> nonzero(const In<S, P>&) {
+    return {};
+  }
+
+  template <class S, class P>
+  static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
+    std::vector<P> q = in.q;
+    if (mutant.is(1)) q[2][3] += from_int<S>(1);
+    if (mutant.is(2)) q[0][3] += from_int<S>(1);
+    for (int i = 0; i < 2; ++i) {
+      equations.zero(span_determinant<S>(in.u, std::span<const P>(in.p), std::span<const P>(q), i + 1)[0]);
+      const BlossomFunctions<S>& printed = in.f[mutant.is(3) ? 0 : static_cast<std::size_t>(i)];
+      const BlossomFunctions<S> found = cell_functions<S>(in.u, in.p, q, i);
+      equations.equal(found.lambda, printed.lambda);
+      equations.equal(found.m, printed.m);
+      equations.equal(found.sigma, printed.sigma);
+    }
   }
 };
 
