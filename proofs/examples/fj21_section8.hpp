@@ -222,7 +222,7 @@ void trimming(const Section8Data<S>& data, const Section8Net<S>& net, std::vecto
   group.weights("sigma~(0), sigma~(1), sigma~(-1)", {"1", "1", "1"}, {at[0].sigma, at[1].sigma, at[2].sigma});
   // Beyond the interpolated values the printed functions are evaluated.
   const BlossomFunctions<S> check = shortened_functions(3, from_int<S>(3), net.f, unit, data.g);
-  group.functions("~(3)", {"-8/9", "-1/3", "1"}, check);
+  group.functions("~(t) as printed, at t = 3", {"-8/9", "-1/3", "1"}, check);
 }
 
 template <class S>
