@@ -1,5 +1,6 @@
 // Closed forms of the linear construction, FJ07.14-16: the vertex d_N, N = 1..L, without the vertices before it.
 //   eq14    d_N                    eq15    d_N - c_N, sorted by L*-M*            eq16    d_N - c_N by differences of c
+//   eq16_rulings    eq16 for all vertices at once
 // with P(a, b) = prod_{i=a}^{b-1} (M*-u_{i+n})/(M*-u_i) and Q(i, N) = prod_{j=i}^{N-2} (M*-u_{n+j+1})/(M*-u_j).
 #pragma once
 
@@ -71,23 +72,66 @@ P eq15(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, 
   return ruling;
 }
 
+namespace detail {
+
+/// 1/(M*-u_i) for i = 0..count-1.
+template <Field S>
+std::vector<S> reciprocal_distances(const KnotList<S>& u, const S& m, int count) {
+  std::vector<S> over;
+  over.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) over.push_back(from_int<S>(1) / (m - u[i]));
+  return over;
+}
+
+/// The right side of FJ07.16 from over_i = 1/(M*-u_i) and the differences c_{i+1}-c_i, i < N, and ruling = d_0-c_0.
+template <Field S, class P>
+P eq16_sum(const KnotList<S>& u, const S& lambda, const S& m, const std::vector<S>& over, const std::vector<P>& steps,
+           const P& ruling, int vertex) {
+  P total = PointTraits<P>::zero();
+  S p = from_int<S>(1);  // P(i+1, N)
+  for (int i = vertex - 1; i >= 0; --i) {
+    const std::size_t at_i = static_cast<std::size_t>(i);
+    p *= over[at_i];
+    add_scaled(total, p, steps[at_i]);
+    p *= m - u[i + u.degree()];
+  }
+  scale(total, lambda - m);
+  add_scaled(total, p, ruling);
+  return total;
+}
+
+template <class P>
+std::vector<P> differences(std::span<const P> c, int count) {
+  std::vector<P> steps;
+  steps.reserve(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) steps.push_back(difference(c[i + 1], c[i]));
+  return steps;
+}
+
+}  // namespace detail
+
 /// d_N - c_N by FJ07.16, 1 <= N <= L: P(0,N) (d_0-c_0) + (L*-M*) sum_{i=0}^{N-1} P(i+1,N) (c_{i+1}-c_i)/(M*-u_i). Throws
 /// InvalidInput naming "M" if M* is a knot.
 template <Field S, class P>
 P eq16(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, const P& d0, int vertex) {
   require_off_knots(u, m);
-  const int n = u.degree();
-  P total = PointTraits<P>::zero();
-  S p = from_int<S>(1);  // P(i+1, N)
-  for (int i = vertex - 1; i >= 0; --i) {
-    const std::size_t at_i = static_cast<std::size_t>(i);
-    const S over = from_int<S>(1) / (m - u[i]);
-    add_scaled(total, p * over, difference(c[at_i + 1], c[at_i]));
-    p *= (m - u[i + n]) * over;
+  return detail::eq16_sum<S, P>(u, lambda, m, detail::reciprocal_distances(u, m, vertex),
+                                detail::differences(c, vertex), difference(d0, c[0]), vertex);
+}
+
+/// d_N - c_N by FJ07.16 for all N = 1..L, with L divisions. Throws InvalidInput naming "M" if M* is a knot.
+template <Field S, class P>
+std::vector<P> eq16_rulings(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, const P& d0) {
+  require_off_knots(u, m);
+  const std::vector<S> over = detail::reciprocal_distances(u, m, u.last());
+  const std::vector<P> steps = detail::differences(c, u.last());
+  const P ruling = difference(d0, c[0]);
+  std::vector<P> rulings;
+  rulings.reserve(steps.size());
+  for (int vertex = 1; vertex <= u.last(); ++vertex) {
+    rulings.push_back(detail::eq16_sum<S, P>(u, lambda, m, over, steps, ruling, vertex));
   }
-  scale(total, lambda - m);
-  add_scaled(total, p, difference(d0, c[0]));
-  return total;
+  return rulings;
 }
 
 }  // namespace torse

@@ -2,6 +2,7 @@
 //   Eq13, Eq14, Eq15, Eq16
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "torse/developable/closed_forms.hpp"
@@ -164,14 +165,12 @@ $N=1..L$.)",
   static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
     const auto& [u, c, d0, lambda, m] = in;
     const std::vector<P> d = linear_net<S, P>(u, c, lambda, m, d0);
-    for (int vertex = 1; vertex <= u.last(); ++vertex) {
-      const std::size_t at = static_cast<std::size_t>(vertex);
-      P ruling = eq16<S, P>(u, c, mutant.is(1) ? m : lambda, mutant.is(1) ? lambda : m, d0,
-                            !mutant.is(3) ? vertex
-                            : vertex > 1  ? vertex - 1
-                                          : u.last());
+    std::vector<P> rulings = eq16_rulings<S, P>(u, c, mutant.is(1) ? m : lambda, mutant.is(1) ? lambda : m, d0);
+    if (mutant.is(3)) std::rotate(rulings.begin(), rulings.end() - 1, rulings.end());
+    for (std::size_t vertex = 1; vertex < d.size(); ++vertex) {
+      P& ruling = rulings[vertex - 1];
       if (mutant.is(2)) scale(ruling, from_int<S>(-1));
-      equations.equal(difference(d[at], c[at]), ruling);
+      equations.equal(difference(d[vertex], c[vertex]), ruling);
     }
   }
 };

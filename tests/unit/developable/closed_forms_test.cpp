@@ -28,12 +28,15 @@ TEST(ClosedForms, AgreeWithTheRecursion) {
     for (const Q& m : {Q(-1), Q(9), Q(1) / Q(2)}) {
       const Q lambda = Q(11) / Q(4);
       const std::vector<Point3> d = linear_net<Q, Point3>(u, c, lambda, m, d0);
+      const std::vector<Point3> rulings = eq16_rulings<Q, Point3>(u, c, lambda, m, d0);
+      ASSERT_EQ(rulings.size() + 1, d.size());
       for (int vertex = 1; vertex <= u.last(); ++vertex) {
         const std::size_t i = static_cast<std::size_t>(vertex);
         const Point3 ruling = difference(d[i], c[i]);
         EXPECT_EQ((eq14<Q, Point3>(u, c, lambda, m, d0, vertex)), d[i]);
         EXPECT_EQ((eq15<Q, Point3>(u, c, lambda, m, d0, vertex)), ruling);
         EXPECT_EQ((eq16<Q, Point3>(u, c, lambda, m, d0, vertex)), ruling);
+        EXPECT_EQ(rulings[i - 1], ruling);
       }
       // The sum of 14 written with product_q, term by term.
       const int last = u.last();
@@ -53,6 +56,7 @@ TEST(ClosedForms, RefuseAKnot) {
   EXPECT_EQ(place_of([&] { return eq14<Q, Point3>(u, c, Q(3), Q(1), c[0], 1); }), "M");
   EXPECT_EQ(place_of([&] { return eq15<Q, Point3>(u, c, Q(3), Q(1), c[0], 1); }), "M");
   EXPECT_EQ(place_of([&] { return eq16<Q, Point3>(u, c, Q(3), Q(0), c[0], 1); }), "M");
+  EXPECT_EQ(place_of([&] { return eq16_rulings<Q, Point3>(u, c, Q(3), Q(0), c[0]); }), "M");
 }
 
 }  // namespace
