@@ -45,7 +45,9 @@ Json entry_json(const Entry& entry, const Plan& plan) {
   const ClaimInfo& info = *entry.info;
   const Finding* decisive = entry.decisive();
   Json hypotheses = Json::array();
+  bool as_printed = true;
   for (const Hypothesis& hypothesis : info.hypotheses) {
+    as_printed = as_printed && hypothesis.stated;
     hypotheses.push_back({{"words", hypothesis.words}, {"stated", hypothesis.stated}});
   }
   Json engines = Json::array();
@@ -66,6 +68,7 @@ Json entry_json(const Entry& entry, const Plan& plan) {
           {"sizes", decisive == nullptr ? Json::array() : sizes_json(decisive->sizes)},
           {"error_log2", error},
           {"hypotheses", hypotheses},
+          {"as_printed", as_printed},
           {"remark", info.remark},
           {"coq", info.coq.empty() ? Json(nullptr) : Json(info.coq)},
           {"mutants", score_json(entry.mutants())},
@@ -122,6 +125,18 @@ std::string json_report(const std::vector<Entry>& entries, const Plan& plan) {
   for (const Entry& entry : entries) claims.push_back(entry_json(entry, plan));
   const Json report{{"torse", 1}, {"effort", effort_name(plan.effort)}, {"seed", plan.seed}, {"claims", claims}};
   return report.dump(1) + "\n";
+}
+
+std::string ledger(const std::vector<Entry>& entries, const Plan& plan) {
+  std::string lines;
+  for (const Entry& entry : entries) {
+    Json line = entry_json(entry, plan);
+    Json kept = Json::object();
+    for (const char* key : {"id", "status", "engine", "sizes", "as_printed", "mutants", "faults"}) kept[key] = line[key];
+    lines += (lines.empty() ? "" : ",\n") + std::string("  ") + kept.dump();
+  }
+  return "{\"torse\": 1, \"effort\": \"" + std::string(effort_name(plan.effort)) + "\", \"seed\": " +
+         std::to_string(plan.seed) + ", \"claims\": [\n" + lines + "\n]}\n";
 }
 
 std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, bool complete) {

@@ -9,10 +9,15 @@
 namespace torse::proofs {
 
 /// {"torse": 1, "effort", "seed", "claims": [...]}: one object per claim with the status that may be said of it, the
-/// engine that earned it, and every engine's finding under "engines".
+/// engine that earned it, and every engine's finding under "engines". "as_printed" is false where the status holds only
+/// under a hypothesis that the paper does not state; its failure without it is among the stored ones.
 std::string json_report(const std::vector<Entry>& entries, const Plan& plan);
 
-/// What got worse since the earlier report `baseline` (JSON text): claims that lost their status. Claims that were not
+/// What of a run does not change from one machine to the next: a claim a line, with status, engine, sizes and scores. It
+/// is the file proofs/ledger.json, and a baseline.
+std::string ledger(const std::vector<Entry>& entries, const Plan& plan);
+
+/// What got worse since the earlier report or ledger `baseline` (JSON text): claims that lost their status. Claims that were not
 /// run now are passed over; `complete` tells that all were, so that a missing one counts. Throws Error with the reason
 /// if `baseline` is not such a report.
 std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, bool complete);

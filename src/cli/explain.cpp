@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "torse/cli/claims.hpp"
 #include "torse/cli/command.hpp"
@@ -13,6 +14,35 @@
 
 namespace torse::cli {
 namespace {
+
+/// The text in lines of at most 108 characters, the later ones indented by `indent` blanks.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  std::string result;
+  std::size_t column = indent;
+  std::string word;
+  const auto flush = [&] {
+    if (word.empty()) return;
+    if (column + word.size() > 108 && column > indent) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+    word.clear();
+  };
+  for (const char letter : text) {
+    if (letter == ' ' || letter == '\n') {
+      flush();
+    } else {
+      word += letter;
+    }
+  }
+  flush();
+  return result;
+}
 
 std::string kind_text(proofs::Kind kind) {
   switch (kind) {
@@ -34,7 +64,7 @@ std::string failures_text(const proofs::ClaimCase<Rational>& claim, std::size_t 
   for (const auto& failure : claim.failures()) {
     if (failure.hypothesis != h) continue;
     const std::string what = failure.error.empty() ? proofs::judge(failure.sample.equations).reason : failure.error;
-    text += fmt::format("      without it: {}\n", what);
+    text += fmt::format("      without it: {}\n", wrapped(what, 18));
   }
   return text;
 }
@@ -46,16 +76,16 @@ int run_explain(const std::string& id) {
   const proofs::ClaimInfo& info = *proofs::all_claims()[index];
   const proofs::ClaimCase<Rational>& claim = proofs::claim_cases<Rational>()[index];
   std::string text = fmt::format("{}  {}\n  source      {}, {}\n  kind        {}\n  statement   {}\n", info.id,
-                                 info.title, info.paper(), info.source, kind_text(info.kind), info.statement);
+                                 info.title, info.paper(), info.source, kind_text(info.kind), wrapped(info.statement, 14));
   text += info.hypotheses.empty() ? "  hypotheses  none\n" : "  hypotheses\n";
   for (std::size_t h = 0; h < info.hypotheses.size(); ++h) {
-    text += fmt::format("    {}{}\n", info.hypotheses[h].words,
-                        info.hypotheses[h].stated ? "" : " (not stated in the paper)");
+    const std::string note = info.hypotheses[h].stated ? "" : " (not stated in the paper)";
+    text += fmt::format("    {}\n", wrapped(std::string(info.hypotheses[h].words) + note, 4));
     text += failures_text(claim, h);
   }
-  if (!info.remark.empty()) text += fmt::format("  remark      {}\n", info.remark);
+  if (!info.remark.empty()) text += fmt::format("  remark      {}\n", wrapped(info.remark, 14));
   if (!info.mutants.empty()) text += "  wrong variants that must fail\n";
-  for (const std::string_view mutant : info.mutants) text += fmt::format("    {}\n", mutant);
+  for (const std::string_view mutant : info.mutants) text += fmt::format("    {}\n", wrapped(mutant, 4));
   text += fmt::format("  run it      torse verify --claim {}\n", info.id);
   Terminal(stdout).print(text);
   return exit_code::success;

@@ -35,6 +35,7 @@ struct VerifyOptions {
   std::string effort = "standard";
   std::string shard;
   std::string baseline;
+  std::string ledger;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   ReportFiles reports;
 
@@ -211,6 +212,7 @@ int run_verify(VerifyOptions& options) {
   const std::vector<std::string> worse = compare(options, entries);
 
   if (!options.reports.json.empty()) write_file(options.reports.json, proofs::json_report(entries, options.plan));
+  if (!options.ledger.empty()) write_file(options.ledger, proofs::ledger(entries, options.plan));
   std::vector<ReportCase> cases;
   for (const Entry& entry : entries) cases.push_back(case_of(entry, options.plan));
   write_case_reports(options.reports, cases);
@@ -236,6 +238,8 @@ std::function<int()> define_verify(CLI::App& app) {
   app.add_option("--seed", options->plan.seed, "the seed of all random choices")->capture_default_str();
   app.add_option("--shard", options->shard, "i/k: the i-th of k parts of the run");
   app.add_option("--baseline", options->baseline, "an earlier --json report: exit 1 if a claim lost its status");
+  app.add_option("--ledger", options->ledger, "write what does not change from run to run, as proofs/ledger.json")
+      ->type_name("FILE");
   app.add_option("--threads", options->threads, "how many threads; the findings do not depend on it")
       ->check(CLI::Range(1U, 256U))
       ->capture_default_str();
