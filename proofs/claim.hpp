@@ -55,13 +55,13 @@ struct ClaimInfo {
   std::string_view title;      ///< a few words
   std::string_view statement;  ///< LaTeX
   Kind kind = Kind::identity;
-  std::vector<Hypothesis> hypotheses;      ///< in the order of nonzero()
-  std::vector<std::string_view> mutants;   ///< the wrong variants 1, 2, ...
+  std::vector<Hypothesis> hypotheses;     ///< in the order of nonzero()
+  std::vector<std::string_view> mutants;  ///< the wrong variants 1, 2, ...
   int min_degree = 1;
   int max_degree = 64;
-  int max_pieces = 64;                     ///< 1 for a statement about one Bezier piece
-  std::string_view remark = {};            ///< what the paper omits or gets wrong, in words
-  std::string_view coq = {};               ///< the theorem's name in proofs/coq
+  int max_pieces = 64;           ///< 1 for a statement about one Bezier piece
+  std::string_view remark = {};  ///< what the paper omits or gets wrong, in words
+  std::string_view coq = {};     ///< the theorem's name in proofs/coq
 
   /// "FJ07" of "FJ07.16".
   std::string_view paper() const { return id.substr(0, id.find('.')); }

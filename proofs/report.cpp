@@ -79,7 +79,7 @@ Json entry_json(const Entry& entry, const Plan& plan) {
 }
 
 int rank(std::string_view status) {
-  constexpr std::array<std::string_view, 7> order{"Refuted", "NotApplicable", "GaveUp",   "Undecided",
+  constexpr std::array<std::string_view, 7> order{"Refuted", "NotApplicable", "GaveUp", "Undecided",
                                                   "Bounded", "Supported",     "Proved"};
   const auto* const at = std::find(order.begin(), order.end(), status);
   if (at == order.end()) throw Error("baseline: unknown status " + std::string(status));
@@ -90,9 +90,12 @@ int rank(std::string_view status) {
 
 std::string_view effort_name(Effort effort) {
   switch (effort) {
-    case Effort::quick: return "quick";
-    case Effort::standard: return "standard";
-    case Effort::deep: return "deep";
+    case Effort::quick:
+      return "quick";
+    case Effort::standard:
+      return "standard";
+    case Effort::deep:
+      return "deep";
   }
   return "";
 }
@@ -132,11 +135,12 @@ std::string ledger(const std::vector<Entry>& entries, const Plan& plan) {
   for (const Entry& entry : entries) {
     Json line = entry_json(entry, plan);
     Json kept = Json::object();
-    for (const char* key : {"id", "status", "engine", "sizes", "as_printed", "mutants", "faults"}) kept[key] = line[key];
+    for (const char* key : {"id", "status", "engine", "sizes", "as_printed", "mutants", "faults"})
+      kept[key] = line[key];
     lines += (lines.empty() ? "" : ",\n") + std::string("  ") + kept.dump();
   }
-  return "{\"torse\": 1, \"effort\": \"" + std::string(effort_name(plan.effort)) + "\", \"seed\": " +
-         std::to_string(plan.seed) + ", \"claims\": [\n" + lines + "\n]}\n";
+  return "{\"torse\": 1, \"effort\": \"" + std::string(effort_name(plan.effort)) +
+         "\", \"seed\": " + std::to_string(plan.seed) + ", \"claims\": [\n" + lines + "\n]}\n";
 }
 
 std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, bool complete) {

@@ -13,13 +13,13 @@ namespace torse::proofs {
 /// under a hypothesis that the paper does not state; its failure without it is among the stored ones.
 std::string json_report(const std::vector<Entry>& entries, const Plan& plan);
 
-/// What of a run does not change from one machine to the next: a claim a line, with status, engine, sizes and scores. It
-/// is the file proofs/ledger.json, and a baseline.
+/// What of a run does not change from one machine to the next: a claim a line, with status, engine, sizes and scores.
+/// It is the file proofs/ledger.json, and a baseline.
 std::string ledger(const std::vector<Entry>& entries, const Plan& plan);
 
-/// What got worse since the earlier report or ledger `baseline` (JSON text): claims that lost their status. Claims that were not
-/// run now are passed over; `complete` tells that all were, so that a missing one counts. Throws Error with the reason
-/// if `baseline` is not such a report.
+/// What got worse since the earlier report or ledger `baseline` (JSON text): claims that lost their status. Claims that
+/// were not run now are passed over; `complete` tells that all were, so that a missing one counts. Throws Error with
+/// the reason if `baseline` is not such a report.
 std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, bool complete);
 
 /// "1<=n<=4, 1<=N<=4" for a full grid, otherwise the sizes themselves.

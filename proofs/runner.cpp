@@ -39,13 +39,20 @@ std::vector<Task> plan_tasks(const Selection& selection) {
 
 int rank(Status status) {
   switch (status) {
-    case Status::refuted: return 6;
-    case Status::proved: return 5;
-    case Status::supported: return 4;
-    case Status::bounded: return 3;
-    case Status::undecided: return 2;
-    case Status::gave_up: return 1;
-    case Status::not_applicable: return 0;
+    case Status::refuted:
+      return 6;
+    case Status::proved:
+      return 5;
+    case Status::supported:
+      return 4;
+    case Status::bounded:
+      return 3;
+    case Status::undecided:
+      return 2;
+    case Status::gave_up:
+      return 1;
+    case Status::not_applicable:
+      return 0;
   }
   return 0;
 }

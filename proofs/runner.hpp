@@ -29,8 +29,8 @@ struct Entry {
   /// The strongest thing that may be said: Refuted if any engine refutes; otherwise Proved, Supported, Bounded in this
   /// order; GaveUp or Undecided if nothing else.
   Status status() const;
-  /// The finding that earns status(); none if there are no findings. The mutation engine speaks of the tests' sharpness,
-  /// not of the claim, and earns a status only where it ran alone.
+  /// The finding that earns status(); none if there are no findings. The mutation engine speaks of the tests'
+  /// sharpness, not of the claim, and earns a status only where it ran alone.
   const Finding* decisive() const;
   /// The mutation engine's scores, zero where it did not run.
   Score mutants() const;
@@ -40,8 +40,8 @@ struct Entry {
 /// Called after each task with the number done and the number of all, from one thread at a time.
 using Progress = std::function<void(std::size_t done, std::size_t all, const Finding& latest)>;
 
-/// Runs the selection with `threads` threads. The findings do not depend on their number. An exception of an engine that
-/// is not a finding (a defect) is rethrown.
+/// Runs the selection with `threads` threads. The findings do not depend on their number. An exception of an engine
+/// that is not a finding (a defect) is rethrown.
 std::vector<Entry> run_all(const Selection& selection, const Plan& plan, unsigned threads, const Progress& progress);
 
 }  // namespace torse::proofs

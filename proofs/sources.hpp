@@ -23,8 +23,8 @@ enum class Temper {
 };
 inline constexpr int tempers = 4;
 
-/// The 0-based multiplicity pattern of a knot list: steps that are positive (true) or zero, such that no knot is repeated
-/// more than n times and the domain is not empty.
+/// The 0-based multiplicity pattern of a knot list: steps that are positive (true) or zero, such that no knot is
+/// repeated more than n times and the domain is not empty.
 inline std::vector<bool> knot_steps(Rng& rng, Size size, Temper temper) {
   const int count = size.last() + size.n;
   std::vector<bool> steps(static_cast<std::size_t>(count), true);  // steps[i]: u_i > u_{i-1}
@@ -79,8 +79,8 @@ class FractionSource : public Source<S> {
   std::vector<S> seen_;
 };
 
-/// Multiples of 2^-10 below 2^6 in absolute value: 17 bits, so that knots and inputs are exact in float and the same seed
-/// gives the same input in every arithmetic. Balls may be widened through `wrap`.
+/// Multiples of 2^-10 below 2^6 in absolute value: 17 bits, so that knots and inputs are exact in float and the same
+/// seed gives the same input in every arithmetic. Balls may be widened through `wrap`.
 template <class S>
 class DyadicSource : public Source<S> {
  public:

@@ -49,17 +49,11 @@ class Number {
 
 }  // namespace
 
-ArbBall::ArbBall() {
-  arb_init(Access::arb(*this));
-}
+ArbBall::ArbBall() { arb_init(Access::arb(*this)); }
 
-ArbBall::ArbBall(const ArbBall& x) : ArbBall() {
-  arb_set(Access::arb(*this), Access::arb(x));
-}
+ArbBall::ArbBall(const ArbBall& x) : ArbBall() { arb_set(Access::arb(*this), Access::arb(x)); }
 
-ArbBall::ArbBall(ArbBall&& x) noexcept : ArbBall() {
-  arb_swap(Access::arb(*this), Access::arb(x));
-}
+ArbBall::ArbBall(ArbBall&& x) noexcept : ArbBall() { arb_swap(Access::arb(*this), Access::arb(x)); }
 
 ArbBall& ArbBall::operator=(const ArbBall& x) {
   arb_set(Access::arb(*this), Access::arb(x));
@@ -71,17 +65,11 @@ ArbBall& ArbBall::operator=(ArbBall&& x) noexcept {
   return *this;
 }
 
-ArbBall::~ArbBall() {
-  arb_clear(Access::arb(*this));
-}
+ArbBall::~ArbBall() { arb_clear(Access::arb(*this)); }
 
-void ArbBall::set_integer(std::int64_t i) {
-  arb_set_si(Access::arb(*this), i);
-}
+void ArbBall::set_integer(std::int64_t i) { arb_set_si(Access::arb(*this), i); }
 
-void ArbBall::set_integer(std::uint64_t i) {
-  arb_set_ui(Access::arb(*this), i);
-}
+void ArbBall::set_integer(std::uint64_t i) { arb_set_ui(Access::arb(*this), i); }
 
 void ArbBall::set_rational(std::string_view text, int bits) {
   arb_set_fmpq(Access::arb(*this), Number(text).get(), bits);
@@ -119,29 +107,21 @@ void ArbBall::set_quotient(const ArbBall& x, const ArbBall& y, int bits) {
   arb_div(Access::arb(*this), Access::arb(x), Access::arb(y), bits);
 }
 
-void ArbBall::set_negative(const ArbBall& x) {
-  arb_neg(Access::arb(*this), Access::arb(x));
-}
+void ArbBall::set_negative(const ArbBall& x) { arb_neg(Access::arb(*this), Access::arb(x)); }
 
-void ArbBall::set_square_root(const ArbBall& x, int bits) {
-  arb_sqrt(Access::arb(*this), Access::arb(x), bits);
-}
+void ArbBall::set_square_root(const ArbBall& x, int bits) { arb_sqrt(Access::arb(*this), Access::arb(x), bits); }
 
 void ArbBall::add_product(const ArbBall& x, const ArbBall& y, int bits) {
   arb_addmul(Access::arb(*this), Access::arb(x), Access::arb(y), bits);
 }
 
-bool ArbBall::contains_zero() const {
-  return arb_contains_zero(Access::arb(*this)) != 0;
-}
+bool ArbBall::contains_zero() const { return arb_contains_zero(Access::arb(*this)) != 0; }
 
 bool ArbBall::contains_rational(std::string_view text) const {
   return arb_contains_fmpq(Access::arb(*this), Number(text).get()) != 0;
 }
 
-bool ArbBall::is_finite() const {
-  return arb_is_finite(Access::arb(*this)) != 0;
-}
+bool ArbBall::is_finite() const { return arb_is_finite(Access::arb(*this)) != 0; }
 
 Truth ArbBall::is_zero() const {
   if (arb_is_zero(Access::arb(*this)) != 0) return Truth::yes;
@@ -153,13 +133,9 @@ Truth ArbBall::less(const ArbBall& x, const ArbBall& y) {
   return arb_ge(Access::arb(x), Access::arb(y)) != 0 ? Truth::no : Truth::unknown;
 }
 
-double ArbBall::midpoint() const {
-  return arf_get_d(arb_midref(Access::arb(*this)), ARF_RND_NEAR);
-}
+double ArbBall::midpoint() const { return arf_get_d(arb_midref(Access::arb(*this)), ARF_RND_NEAR); }
 
-double ArbBall::radius() const {
-  return mag_get_d(arb_radref(Access::arb(*this)));
-}
+double ArbBall::radius() const { return mag_get_d(arb_radref(Access::arb(*this))); }
 
 std::string ArbBall::text(int digits) const {
   char* const buffer = arb_get_str(Access::arb(*this), digits, 0);

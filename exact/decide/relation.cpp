@@ -24,15 +24,9 @@ const nmod_t& field() {
   return value;
 }
 
-Word times(Word a, Word b) {
-  return nmod_mul(a, b, field());
-}
-Word minus(Word a, Word b) {
-  return nmod_sub(a, b, field());
-}
-Word residue(mpz_srcptr x) {
-  return mpz_fdiv_ui(x, prime);
-}
+Word times(Word a, Word b) { return nmod_mul(a, b, field()); }
+Word minus(Word a, Word b) { return nmod_sub(a, b, field()); }
+Word residue(mpz_srcptr x) { return mpz_fdiv_ui(x, prime); }
 
 /// The residues of four numbers times the product of their denominators.
 std::array<Word, 4> residues(const std::array<const Rational*, 4>& x) {

@@ -57,9 +57,7 @@ void RationalStore::give_slowly(mpq_ptr q) {
   mpq_clear(q);
 }
 
-void Rational::throw_division_by_zero() {
-  throw DivisionByZero();
-}
+void Rational::throw_division_by_zero() { throw DivisionByZero(); }
 
 Rational Rational::from_double(double x) {
   if (!std::isfinite(x)) throw InvalidInput("number", "a rational number cannot be NaN or infinite");

@@ -131,9 +131,7 @@ std::optional<Rational> rational_root(IntegerPolynomial& f, const arb_t x, slong
   return result;
 }
 
-Rational magnitude(const Rational& x) {
-  return x.sign() < 0 ? -x : x;
-}
+Rational magnitude(const Rational& x) { return x.sign() < 0 ? -x : x; }
 
 bool narrow(const RealRoot& root, const Rational& tolerance) {
   const Rational smaller = std::min(magnitude(root.lower), magnitude(root.upper));

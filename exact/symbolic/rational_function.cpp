@@ -196,9 +196,7 @@ RationalFunction& RationalFunction::operator=(const RationalFunction& x) {
   return *this;
 }
 
-void RationalFunction::construct() {
-  fmpq_init(Access::number(*this));
-}
+void RationalFunction::construct() { fmpq_init(Access::number(*this)); }
 
 void RationalFunction::construct(std::int64_t i) {
   construct();
@@ -319,9 +317,7 @@ RationalFunction& RationalFunction::set_quotient(const RationalFunction& x, cons
   });
 }
 
-bool RationalFunction::is_zero() const {
-  return context_ == nullptr && fmpq_is_zero(Access::number(*this)) != 0;
-}
+bool RationalFunction::is_zero() const { return context_ == nullptr && fmpq_is_zero(Access::number(*this)) != 0; }
 
 std::int64_t RationalFunction::length() const {
   if (context_ == nullptr) return is_zero() ? 1 : 2;

@@ -1,6 +1,6 @@
-// Balls: every input is a box of radius 2^-40 around a dyadic point. An equation whose two sides are apart on the whole box
-// is refuted; otherwise the claim is bounded by the widest difference seen. Balls never prove an identity; a value that must
-// be positive and is so on a box is proved there.
+// Balls: every input is a box of radius 2^-40 around a dyadic point. An equation whose two sides are apart on the whole
+// box is refuted; otherwise the claim is bounded by the widest difference seen. Balls never prove an identity; a value
+// that must be positive and is so on a box is proved there.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -88,8 +88,8 @@ Finding run_ball(std::size_t index, const Plan& plan) {
   }
   char text[160];
   if (tally.positive + tally.unsure > 0) {
-    std::snprintf(text, sizeof text, "positive on %ld boxes, undecided on %ld; widest difference 2^%.0f", tally.positive,
-                  tally.unsure, std::log2(tally.widest));
+    std::snprintf(text, sizeof text, "positive on %ld boxes, undecided on %ld; widest difference 2^%.0f",
+                  tally.positive, tally.unsure, std::log2(tally.widest));
   } else {
     std::snprintf(text, sizeof text, "%ld boxes, widest difference 2^%.0f", finding.trials, std::log2(tally.widest));
   }

@@ -6,13 +6,20 @@ namespace torse::proofs {
 
 std::string_view status_name(Status status) {
   switch (status) {
-    case Status::proved: return "Proved";
-    case Status::supported: return "Supported";
-    case Status::bounded: return "Bounded";
-    case Status::refuted: return "Refuted";
-    case Status::undecided: return "Undecided";
-    case Status::gave_up: return "GaveUp";
-    case Status::not_applicable: return "NotApplicable";
+    case Status::proved:
+      return "Proved";
+    case Status::supported:
+      return "Supported";
+    case Status::bounded:
+      return "Bounded";
+    case Status::refuted:
+      return "Refuted";
+    case Status::undecided:
+      return "Undecided";
+    case Status::gave_up:
+      return "GaveUp";
+    case Status::not_applicable:
+      return "NotApplicable";
   }
   return "";
 }
@@ -25,7 +32,8 @@ const std::vector<Engine>& engines() {
        "Refuted, or Supported with a bound on the probability of error", run_modular},
       {"rational", "rational numbers, generic and hostile", "Refuted with the witness, or Supported", run_rational},
       {"ball", "balls (Arb)", "Refuted if 0 is outside, or Bounded", run_ball},
-      {"numeric", "float, double, long double, MPFR", "Bounded: the error in ulps against exact arithmetic", run_numeric},
+      {"numeric", "float, double, long double, MPFR", "Bounded: the error in ulps against exact arithmetic",
+       run_numeric},
       {"mutation", "wrong variants of the claim, corrupted operations", "killed, survived, equivalent", run_mutation},
   };
   return all;

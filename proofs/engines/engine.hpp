@@ -43,15 +43,15 @@ struct Finding {
   std::string claim;
   std::string engine;
   Status status = Status::not_applicable;
-  std::vector<Size> sizes;            ///< the instances that were run
-  std::uint64_t seed = 0;             ///< the run's seed
-  long trials = 0;                    ///< inputs that met the hypotheses
-  long discards = 0;                  ///< inputs that did not
-  std::optional<double> error_log2;   ///< modular: log2 of the probability of a false "Supported"
-  Score mutants;                      ///< mutation: the claim's own wrong variants
-  Score faults;                       ///< mutation: corrupted operations
-  std::vector<std::string> survivors; ///< mutation: what survived without an explanation
-  std::string detail;                 ///< one line for a person: the witness, the bound, the reason
+  std::vector<Size> sizes;             ///< the instances that were run
+  std::uint64_t seed = 0;              ///< the run's seed
+  long trials = 0;                     ///< inputs that met the hypotheses
+  long discards = 0;                   ///< inputs that did not
+  std::optional<double> error_log2;    ///< modular: log2 of the probability of a false "Supported"
+  Score mutants;                       ///< mutation: the claim's own wrong variants
+  Score faults;                        ///< mutation: corrupted operations
+  std::vector<std::string> survivors;  ///< mutation: what survived without an explanation
+  std::string detail;                  ///< one line for a person: the witness, the bound, the reason
   double seconds = 0;
 };
 

@@ -33,9 +33,9 @@ Verdict judge(const Equations<S>& equations) {
   for (const Equation<S>& equation : equations.list()) {
     ++position;
     if (!definitely(equal(equation.lhs, equation.rhs))) {
-      return {true, false,
-              "equation " + std::to_string(position) + ": " + as_text(equation.lhs) + " against " +
-                  as_text(equation.rhs)};
+      return {
+          true, false,
+          "equation " + std::to_string(position) + ": " + as_text(equation.lhs) + " against " + as_text(equation.rhs)};
     }
   }
   if constexpr (OrderedField<S>) {

@@ -1,7 +1,8 @@
-// Random primes: a claim that were false would have a nonzero numerator f over the integers. It goes unnoticed at 64 random
-// points modulo a random prime p of [2^61, 2^62) only if p divides every coefficient of f (at most h/61 such primes, for
-// coefficients of h bits) or all points are zeros of f (Schwartz-Zippel: each with probability at most deg f / (p - deg g),
-// given that the hypotheses' product g is not zero there). Degree bounds both by running the same code.
+// Random primes: a claim that were false would have a nonzero numerator f over the integers. It goes unnoticed at 64
+// random points modulo a random prime p of [2^61, 2^62) only if p divides every coefficient of f (at most h/61 such
+// primes, for coefficients of h bits) or all points are zeros of f (Schwartz-Zippel: each with probability at most deg
+// f / (p - deg g), given that the hypotheses' product g is not zero there). Degree bounds both by running the same
+// code.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -23,8 +24,8 @@ std::vector<Size> wanted(Effort effort) {
   std::vector<Size> sizes = grid(3, 3);
   for (const Size size : {Size{5, 8}, Size{8, 4}}) sizes.push_back(size);
   if (effort != Effort::quick) {
-    for (const Size size : {Size{1, 64}, Size{4, 4}, Size{4, 16}, Size{5, 1}, Size{6, 6}, Size{7, 10}, Size{8, 1},
-                            Size{8, 64}}) {
+    for (const Size size :
+         {Size{1, 64}, Size{4, 4}, Size{4, 16}, Size{5, 1}, Size{6, 6}, Size{7, 10}, Size{8, 1}, Size{8, 64}}) {
       sizes.push_back(size);
     }
   }
@@ -103,7 +104,8 @@ Finding run_modular(std::size_t index, const Plan& plan) {
   Bounds worst;
   for (const Size size : sizes_for(*claim.info, wanted(plan.effort))) {
     const Bounds bounds = bounds_of(claim_cases<Degree>()[index], size, Mutant(plan.mutant));
-    Rng rng(seed_of(plan.seed, finding.claim + "/modular/" + std::to_string(size.n) + "/" + std::to_string(size.pieces)));
+    Rng rng(
+        seed_of(plan.seed, finding.claim + "/modular/" + std::to_string(size.n) + "/" + std::to_string(size.pieces)));
     double error = 0;
     int empty = 0;
     while (error > target) {

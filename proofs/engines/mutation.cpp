@@ -1,7 +1,8 @@
-// Mutation: is a claim sharp? Each of its own wrong variants must fail on some rational input. And each single operation of
-// its equations, corrupted by a random amount at 64 random points modulo a random prime, must either make an equation fail
-// (killed), or leave every side of every equation as it was (equivalent: up to the small probability of the modular engine
-// the operation has no influence, such as a check of the input). Sides that change alike have survived: they share code.
+// Mutation: is a claim sharp? Each of its own wrong variants must fail on some rational input. And each single
+// operation of its equations, corrupted by a random amount at 64 random points modulo a random prime, must either make
+// an equation fail (killed), or leave every side of every equation as it was (equivalent: up to the small probability
+// of the modular engine the operation has no influence, such as a check of the input). Sides that change alike have
+// survived: they share code.
 #include <functional>
 #include <optional>
 #include <string>
@@ -63,7 +64,8 @@ LaneMask admitted(const NonZero<Faulty<Batch>>& nonzero) {
   return valid;
 }
 
-/// The equations of the replayed input with operation `index` corrupted (none: as they are) and the number of operations.
+/// The equations of the replayed input with operation `index` corrupted (none: as they are) and the number of
+/// operations.
 template <class S>
 struct FaultyRun {
   Sample<Faulty<S>> sample;

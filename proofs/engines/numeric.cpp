@@ -51,9 +51,9 @@ constexpr int precision<BigFloat<Bits>> = Bits;
 
 /// The largest errors seen in one arithmetic.
 struct Errors {
-  double ulps = 0;       ///< |computed - exact| in units of 2^(1-p) |exact|
-  double at_zero = 0;    ///< |computed| where the exact value is zero
-  long overflows = 0;    ///< values that are not finite
+  double ulps = 0;     ///< |computed - exact| in units of 2^(1-p) |exact|
+  double at_zero = 0;  ///< |computed| where the exact value is zero
+  long overflows = 0;  ///< values that are not finite
 };
 
 template <class S>

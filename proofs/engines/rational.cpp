@@ -26,9 +26,11 @@ std::string check_failures(const ClaimCase<Rational>& claim) {
   for (const FailureSample<Rational>& failure : claim.failures()) {
     const std::string name = "the stored failure of hypothesis " + std::to_string(failure.hypothesis + 1);
     for (std::size_t h = 0; h < failure.sample.nonzero.size(); ++h) {
-      if (holds(failure.sample.nonzero[h]) == (h == failure.hypothesis)) return name + " does not violate that one alone";
+      if (holds(failure.sample.nonzero[h]) == (h == failure.hypothesis))
+        return name + " does not violate that one alone";
     }
-    if (failure.error.empty() && judge(failure.sample.equations).agrees) return name + " is none: the claim holds there";
+    if (failure.error.empty() && judge(failure.sample.equations).agrees)
+      return name + " is none: the claim holds there";
   }
   return {};
 }
@@ -39,7 +41,9 @@ Finding run_rational(std::size_t index, const Plan& plan) {
   const ClaimCase<Rational>& claim = claim_cases<Rational>()[index];
   Finding finding = open_finding(*claim.info, "rational", plan);
   const int wanted_trials = claim.info->kind == Kind::example ? 1
-                            : plan.effort == Effort::quick ? 8 : plan.effort == Effort::standard ? 24 : 100;
+                            : plan.effort == Effort::quick    ? 8
+                            : plan.effort == Effort::standard ? 24
+                                                              : 100;
   for (const Size size : sizes_for(*claim.info, wanted(plan.effort))) {
     int accepted = 0;
     for (int draw = 0; accepted < wanted_trials; ++draw) {
@@ -48,7 +52,8 @@ Finding run_rational(std::size_t index, const Plan& plan) {
         finding.detail = "too many inputs violate the hypotheses";
         return finding;
       }
-      const std::string task = finding.claim + "/rational/" + std::to_string(size.n) + "/" + std::to_string(size.pieces);
+      const std::string task =
+          finding.claim + "/rational/" + std::to_string(size.n) + "/" + std::to_string(size.pieces);
       FractionSource<Rational> source(seed_of(plan.seed, task, static_cast<std::uint64_t>(draw)),
                                       static_cast<Temper>(draw % tempers));
       const Verdict verdict = run_once(claim, source, size, Mutant(plan.mutant));

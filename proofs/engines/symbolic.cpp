@@ -48,8 +48,9 @@ Finding run_symbolic(std::size_t index, const Plan& plan) {
     finding.sizes.push_back(size);
   }
   finding.status = Status::proved;
-  finding.detail = claim.points == PointKind::space ? "every parameter and coordinate an indeterminate"
-                                                    : "every parameter an indeterminate, every control point a generator";
+  finding.detail = claim.points == PointKind::space
+                       ? "every parameter and coordinate an indeterminate"
+                       : "every parameter an indeterminate, every control point a generator";
   return finding;
 }
 

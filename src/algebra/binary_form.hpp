@@ -1,6 +1,6 @@
-// Homogeneous polynomials f(s, t) = sum_i f_i s^{d-i} t^i over a ring. With s = 1-t they are the polynomials of degree d in
-// Bernstein form, f_i being the binomial C(d, i) times the i-th Bernstein coefficient: products and derivatives need no
-// division, so they hold over the integers and in every characteristic.
+// Homogeneous polynomials f(s, t) = sum_i f_i s^{d-i} t^i over a ring. With s = 1-t they are the polynomials of degree
+// d in Bernstein form, f_i being the binomial C(d, i) times the i-th Bernstein coefficient: products and derivatives
+// need no division, so they hold over the integers and in every characteristic.
 //   BinaryForm<S>     coefficients, + - *, d/ds, d/dt, value, zero test
 #pragma once
 

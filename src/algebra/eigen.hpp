@@ -10,8 +10,7 @@
 namespace Eigen {
 
 template <class S>
-  requires(torse::Ring<S> && std::is_class_v<S>)
-struct NumTraits<S> : GenericNumTraits<S> {
+requires(torse::Ring<S>&& std::is_class_v<S>) struct NumTraits<S> : GenericNumTraits<S> {
   using Real = S;
   using NonInteger = S;
   using Literal = S;

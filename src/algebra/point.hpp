@@ -1,6 +1,7 @@
 // Points are not scalars: an algorithm takes the scalar S and the point type P apart and touches points only through
-//   add(y, x)   y += x    subtract(y, x)   y -= x    add_scaled(y, a, x)   y += a x    scale(y, a)   y *= a    divide(y, a)   y /= a
-//   combine(a, x, b, y)   a x + b y        scaled(a, x)   a x        sum(x, y)   x + y        difference(x, y)   x - y
+//   add(y, x)   y += x    subtract(y, x)   y -= x    add_scaled(y, a, x)   y += a x    scale(y, a)   y *= a divide(y,
+//   a)   y /= a combine(a, x, b, y)   a x + b y        scaled(a, x)   a x        sum(x, y)   x + y        difference(x,
+//   y)   x - y
 // P is Vec<S, D> (coordinates) or Form<S> (a free module: every control point a generator, see free_module.hpp).
 #pragma once
 
@@ -55,14 +56,14 @@ struct PointTraits<Vec<S, D>> {
 /// A module over S whose elements stand for points, vectors or homogeneous rows.
 template <class P, class S>
 concept Point = std::copyable<P> && std::same_as<typename PointTraits<P>::Scalar, S> &&
-                requires(P& y, const P& x, const S& a) {
-                  add(y, x);
-                  subtract(y, x);
-                  add_scaled(y, a, x);
-                  scale(y, a);
-                  divide(y, a);
-                  { PointTraits<P>::zero() } -> std::same_as<P>;
-                };
+    requires(P& y, const P& x, const S& a) {
+  add(y, x);
+  subtract(y, x);
+  add_scaled(y, a, x);
+  scale(y, a);
+  divide(y, a);
+  { PointTraits<P>::zero() } -> std::same_as<P>;
+};
 
 template <class P>
 using ScalarOf = typename PointTraits<P>::Scalar;

@@ -117,9 +117,7 @@ ReportCase case_of(const CheckedFile& checked, Outcome outcome) {
   return c;
 }
 
-Json point_json(const Vec<Rational, 3>& x) {
-  return {x[0].text(), x[1].text(), x[2].text()};
-}
+Json point_json(const Vec<Rational, 3>& x) { return {x[0].text(), x[1].text(), x[2].text()}; }
 
 Json surface_json(const CheckedFile& checked) {
   const Judgement& judgement = *checked.judgement;

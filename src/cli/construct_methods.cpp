@@ -18,9 +18,7 @@ using Row = Vec<Q, 4>;
 const Q one(1);
 
 /// w (1, x).
-Row row_of(const Q& weight, const Point3& x) {
-  return Row(weight, weight * x[0], weight * x[1], weight * x[2]);
-}
+Row row_of(const Q& weight, const Point3& x) { return Row(weight, weight * x[0], weight * x[1], weight * x[2]); }
 
 /// The surface with the homogeneous row q. Throws InvalidInput naming "d.weights[i]" for a point at infinity.
 Construction with_row(const ConstructFile<Q>& input, const std::vector<Row>& q) {

@@ -24,13 +24,9 @@ constexpr int last_index_limit = 200;
 /// The relative width of the interval in which the M* of an irrational branch is rounded.
 constexpr int branch_bits = 64;
 
-bool zero(const Point3& v) {
-  return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
-}
+bool zero(const Point3& v) { return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0; }
 
-Q dot(const Point3& a, const Point3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+Q dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Construction with_points(const ConstructFile<Q>& input, std::vector<Point3> d, std::vector<std::string> notes) {
   return {{input.knots, input.c, {std::move(d), input.c.weights}}, std::move(notes)};
@@ -73,9 +69,7 @@ std::vector<RealRoot> find_branches(const ConstructFile<Q>& input) {
   }
 }
 
-Q branch_value(const RealRoot& root) {
-  return root.rational() ? root.lower : (root.lower + root.upper) / Q(2);
-}
+Q branch_value(const RealRoot& root) { return root.rational() ? root.lower : (root.lower + root.upper) / Q(2); }
 
 /// An upper bound, in degrees, of the angle between two lines: x <= (pi/2) sin x, every step rounded up.
 double angle_bound(const Point3& a, const Point3& b) {

@@ -96,8 +96,6 @@ int guarded(std::vector<std::string> words) {
 
 }  // namespace
 
-int run_program(const std::vector<std::string>& words) {
-  return guarded(words);
-}
+int run_program(const std::vector<std::string>& words) { return guarded(words); }
 
 }  // namespace torse::cli

@@ -33,8 +33,8 @@ Cell<S> next_cell(const KnotList<S>& u, const Cell<S>& cell, int i) {
   const int n = u.degree();
   const S den = u[i + n - 2] - u[i - 1] + cell.m * (u[i - 1] - u[i - 2]);
   if (definitely(is_zero(den))) {
-    throw InvalidInput("cell[" + std::to_string(i) + "]", "the denominator of FJ07.18 vanishes: M* is the knot u_" +
-                                                              std::to_string(i - 1));
+    throw InvalidInput("cell[" + std::to_string(i) + "]",
+                       "the denominator of FJ07.18 vanishes: M* is the knot u_" + std::to_string(i - 1));
   }
   const S l = (cell.m * (u[i - 1] - u[i - 2]) + cell.l * (u[i + n - 2] - u[i - 2]) - u[i - 1] + u[i - 2]) / den;
   const S m = (u[i + n - 2] - u[i + n - 1] + cell.m * (u[i + n - 1] - u[i - 2])) / den;
@@ -45,8 +45,8 @@ Cell<S> next_cell(const KnotList<S>& u, const Cell<S>& cell, int i) {
 template <Field S, class P>
 std::vector<P> cell_net(const KnotList<S>& u, std::span<const P> c, Cell<S> cell, const P& d0) {
   if (static_cast<int>(c.size()) != u.last() + 1) {
-    throw InvalidInput("points", "expected " + std::to_string(u.last() + 1) + " control points, found " +
-                                     std::to_string(c.size()));
+    throw InvalidInput(
+        "points", "expected " + std::to_string(u.last() + 1) + " control points, found " + std::to_string(c.size()));
   }
   std::vector<P> d{d0};
   for (int i = 1; i <= u.last(); ++i) {

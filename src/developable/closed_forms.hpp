@@ -110,8 +110,8 @@ std::vector<P> differences(std::span<const P> c, int count) {
 
 }  // namespace detail
 
-/// d_N - c_N by FJ07.16, 1 <= N <= L: P(0,N) (d_0-c_0) + (L*-M*) sum_{i=0}^{N-1} P(i+1,N) (c_{i+1}-c_i)/(M*-u_i). Throws
-/// InvalidInput naming "M" if M* is a knot.
+/// d_N - c_N by FJ07.16, 1 <= N <= L: P(0,N) (d_0-c_0) + (L*-M*) sum_{i=0}^{N-1} P(i+1,N) (c_{i+1}-c_i)/(M*-u_i).
+/// Throws InvalidInput naming "M" if M* is a knot.
 template <Field S, class P>
 P eq16(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, const P& d0, int vertex) {
   require_off_knots(u, m);

@@ -96,8 +96,8 @@ BinaryForm<S> span_determinant(const KnotList<S>& u, std::span<const Vec<S, 4>> 
   return form_determinant<S>(span_matrix<S>(u, p, q, k));
 }
 
-/// The determinant [c', d-c, d'] of FJ07.3 on piece k of a polynomial ruled surface, up to a positive constant, as a form
-/// of degree 3(n-1): the affine determinant of c_0^{n-1}, c_1^{n-1}, d_0^{n-1}, d_1^{n-1}.
+/// The determinant [c', d-c, d'] of FJ07.3 on piece k of a polynomial ruled surface, up to a positive constant, as a
+/// form of degree 3(n-1): the affine determinant of c_0^{n-1}, c_1^{n-1}, d_0^{n-1}, d_1^{n-1}.
 template <Field S>
 BinaryForm<S> span_determinant(const KnotList<S>& u, std::span<const Vec<S, 3>> c, std::span<const Vec<S, 3>> d,
                                int k) {
@@ -138,8 +138,8 @@ S pointwise_determinant(const KnotList<S>& u, std::span<const Vec<S, 3>> c, std:
               difference(curve_point(u, d, k, t), curve_point(u, c, k, t)));
 }
 
-/// (d-c).(c' x d') at the parameter t of piece k (FJ21.2.1) times w(t)^4 omega(t)^4 for homogeneous rows p = w (1, c) and
-/// q = omega (1, d): the derivatives are w c' = P' - w' c by the quotient rule.
+/// (d-c).(c' x d') at the parameter t of piece k (FJ21.2.1) times w(t)^4 omega(t)^4 for homogeneous rows p = w (1, c)
+/// and q = omega (1, d): the derivatives are w c' = P' - w' c by the quotient rule.
 template <Field S>
 S pointwise_determinant(const KnotList<S>& u, std::span<const Vec<S, 4>> p, std::span<const Vec<S, 4>> q, int k,
                         const S& t) {

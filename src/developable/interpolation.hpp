@@ -42,8 +42,8 @@ std::vector<P> chord_polynomial(const KnotList<S>& u, std::span<const P> c) {
   return total;
 }
 
-/// [F(M), v, w] for the F of chord_polynomial, by coefficients of 1, M, ..., M^{L-1}. A root that is not a knot is a branch
-/// M_0 of the interpolation. The zero polynomial means that every M is one.
+/// [F(M), v, w] for the F of chord_polynomial, by coefficients of 1, M, ..., M^{L-1}. A root that is not a knot is a
+/// branch M_0 of the interpolation. The zero polynomial means that every M is one.
 template <Field S>
 std::vector<S> branch_polynomial(const KnotList<S>& u, std::span<const Vec<S, 3>> c, const Vec<S, 3>& v,
                                  const Vec<S, 3>& w) {
@@ -77,8 +77,8 @@ struct EndRulings {
   S tau0;
 };
 
-/// sigma_0 and tau_0 of FJ07.21 from alpha, beta: alpha (L*-M_0)/(M_0-u_{L-1}) / P(0, L) and beta (M_0-L*)/(M_0-u_{L-1}).
-/// L* is free, L* = M_0 collapses the rulings. Throws InvalidInput naming "M" if M_0 is a knot.
+/// sigma_0 and tau_0 of FJ07.21 from alpha, beta: alpha (L*-M_0)/(M_0-u_{L-1}) / P(0, L) and beta
+/// (M_0-L*)/(M_0-u_{L-1}). L* is free, L* = M_0 collapses the rulings. Throws InvalidInput naming "M" if M_0 is a knot.
 template <Field S>
 EndRulings<S> end_rulings(const KnotList<S>& u, const ChordCoordinates<S>& chord, const S& m0, const S& lambda) {
   require_off_knots(u, m0);
@@ -95,8 +95,8 @@ EndRulings<S> end_rulings(const KnotList<S>& u, std::span<const Vec<S, 3>> c, co
   return end_rulings(u, chord_coordinates(chord, v, w), m0, lambda);
 }
 
-/// The row d through the clamped curve c whose first ruling lies along v and, for a branch M_0, whose last lies along w.
-/// Throws InvalidInput naming "knots" unless both ends are n-fold, and as end_rulings does.
+/// The row d through the clamped curve c whose first ruling lies along v and, for a branch M_0, whose last lies along
+/// w. Throws InvalidInput naming "knots" unless both ends are n-fold, and as end_rulings does.
 template <Field S>
 std::vector<Vec<S, 3>> interpolating_net(const KnotList<S>& u, std::span<const Vec<S, 3>> c, const Vec<S, 3>& v,
                                          const Vec<S, 3>& w, const S& m0, const S& lambda) {

@@ -25,8 +25,8 @@ template <Field S>
 void require_off_knots(const KnotList<S>& u, const S& m) {
   for (int i = 0; i < u.size(); ++i) {
     if (definitely(equal(m, u[i]))) {
-      throw InvalidInput("M", "expected a value that is not a knot, found the knot u_" + std::to_string(i) + " = " +
-                                  as_text(u[i]));
+      throw InvalidInput(
+          "M", "expected a value that is not a knot, found the knot u_" + std::to_string(i) + " = " + as_text(u[i]));
     }
   }
 }
@@ -38,8 +38,8 @@ template <Field S, class P>
 std::vector<P> linear_net(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, const P& d0) {
   const int n = u.degree();
   if (static_cast<int>(c.size()) != u.last() + 1) {
-    throw InvalidInput("points", "expected " + std::to_string(u.last() + 1) + " control points, found " +
-                                     std::to_string(c.size()));
+    throw InvalidInput(
+        "points", "expected " + std::to_string(u.last() + 1) + " control points, found " + std::to_string(c.size()));
   }
   require_off_knots(u, m);
   std::vector<P> d{d0};

@@ -1,4 +1,5 @@
-// Developable splines piece by piece, FJ07.10-12 and 19: each Bezier piece obeys Aumann's relation with its own Lam_k, M_k.
+// Developable splines piece by piece, FJ07.10-12 and 19: each Bezier piece obeys Aumann's relation with its own Lam_k,
+// M_k.
 //   local_parameter      Lam_k from L*              next_local      Lam_k from Lam_{k-1} (FJ07.10)
 //   affine_from_local    (lam, mu) from (Lam, M)    next_affine     (lam_k, mu_k) from (lam_{k-1}, mu_{k-1}) (FJ07.11)
 //   aumann_net           the Bezier row D from C, Lam, M, D_0 (FJ07.12)
@@ -65,7 +66,8 @@ std::vector<P> aumann_net(std::span<const P> c, const S& lambda, const S& m, con
 }
 
 /// The Bezier rows of all proper pieces, in order, by FJ07.10 and 12: each piece starts where the one before ends.
-/// `start` is D_0 of the first piece, the point d(u_{n-1}). Throws InvalidInput naming "M" if M* is the start of a piece.
+/// `start` is D_0 of the first piece, the point d(u_{n-1}). Throws InvalidInput naming "M" if M* is the start of a
+/// piece.
 template <Field S, class P>
 std::vector<std::vector<P>> piecewise_net(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m,
                                           P start) {

@@ -12,8 +12,8 @@
 
 namespace torse {
 
-/// d_i = c_i + h_i v: a cylinder with rulings along v (FJ07.4). Throws InvalidInput naming "lengths" unless there is one
-/// length h_i for each control point.
+/// d_i = c_i + h_i v: a cylinder with rulings along v (FJ07.4). Throws InvalidInput naming "lengths" unless there is
+/// one length h_i for each control point.
 template <Field S, Point<S> P>
 std::vector<P> cylinder_net(std::span<const P> c, const P& v, std::span<const S> lengths) {
   if (lengths.size() != c.size()) {

@@ -80,9 +80,7 @@ FileError::FileError(std::string file, std::string place, std::size_t line, std:
 Document::Document(std::string file, std::string text)
     : file_(std::move(file)), text_(std::move(text)), root_(parse_json(file_, text_)) {}
 
-Value Document::root() const {
-  return Value(*this, root_);
-}
+Value Document::root() const { return Value(*this, root_); }
 
 FileError Document::error(const Node* node, const std::string& reason) const {
   std::string path;
@@ -110,13 +108,9 @@ FileError Document::error(const InvalidInput& invalid) const {
   return error(invalid.place(), std::string(invalid.what()).substr(invalid.place().size() + 2));
 }
 
-void Value::fail(const std::string& reason) const {
-  throw document_->error(node_, reason);
-}
+void Value::fail(const std::string& reason) const { throw document_->error(node_, reason); }
 
-void Value::expected(const std::string& what) const {
-  fail("expected " + what + ", found " + described(*node_));
-}
+void Value::expected(const std::string& what) const { fail("expected " + what + ", found " + described(*node_)); }
 
 void Value::expect_keys(std::initializer_list<std::string_view> keys) const {
   expect_keys(std::vector<std::string_view>(keys));

@@ -19,9 +19,7 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
-std::string system_reason() {
-  return std::generic_category().message(errno);
-}
+std::string system_reason() { return std::generic_category().message(errno); }
 
 void write_to(const std::string& path, std::FILE* file, std::string_view content) {
   if (std::fwrite(content.data(), 1, content.size(), file) != content.size() || std::fflush(file) != 0) {

@@ -15,7 +15,7 @@ template <class S>
 concept Ring = std::semiregular<S> && requires(const S& a, const S& b, S& y) {
   { a + b } -> std::same_as<S>;
   { a - b } -> std::same_as<S>;
-  { a * b } -> std::same_as<S>;
+  { a* b } -> std::same_as<S>;
   { -a } -> std::same_as<S>;
   { y += a } -> std::same_as<S&>;
   { y -= a } -> std::same_as<S&>;

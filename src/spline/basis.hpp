@@ -1,6 +1,7 @@
-// B-spline basis functions by Cox-de Boor, as polynomials of a piece: the second path to a curve, independent of blossoms.
-//   basis_forms      the n + 1 basis functions of piece k as homogeneous polynomials in (s, t), s + t = 1 over the piece
-//   piece_forms      a curve's coordinates on piece k in the same form
+// B-spline basis functions by Cox-de Boor, as polynomials of a piece: the second path to a curve, independent of
+// blossoms.
+//   basis_forms      the n + 1 basis functions of piece k as homogeneous polynomials in (s, t), s + t = 1 over the
+//   piece piece_forms      a curve's coordinates on piece k in the same form
 #pragma once
 
 #include <array>
@@ -43,7 +44,7 @@ std::vector<BinaryForm<S>> basis_forms(const KnotList<S>& u, int k) {
 /// The coordinates of sum_i N_i c_i on piece k as forms of degree n.
 template <Field S, int D>
 std::array<BinaryForm<S>, static_cast<std::size_t>(D)> piece_forms(const std::vector<BinaryForm<S>>& basis,
-                                                                  std::span<const Vec<S, D>> c, int k) {
+                                                                   std::span<const Vec<S, D>> c, int k) {
   const int n = basis.front().degree();
   std::array<BinaryForm<S>, static_cast<std::size_t>(D)> forms;
   forms.fill(BinaryForm<S>(n));

@@ -57,8 +57,8 @@ std::vector<P> blossom_row(const KnotList<S>& u, std::span<const P> c, int k, st
   for (int r = 1; r <= static_cast<int>(v.size()); ++r) {
     for (int i = 0; i <= n - r; ++i) {
       const std::size_t at = static_cast<std::size_t>(i);
-      row[at] = blossom_step(u[k - 2 + i + r], u[k - 1 + i + n], v[static_cast<std::size_t>(r - 1)],
-                             std::move(row[at]), row[at + 1]);
+      row[at] = blossom_step(u[k - 2 + i + r], u[k - 1 + i + n], v[static_cast<std::size_t>(r - 1)], std::move(row[at]),
+                             row[at + 1]);
     }
     row.pop_back();
   }

@@ -1,4 +1,5 @@
-// B-spline curves as a knot list with control points, polynomial (points of affine space) or rational (homogeneous rows).
+// B-spline curves as a knot list with control points, polynomial (points of affine space) or rational (homogeneous
+// rows).
 //   Spline<S, P>      knots and control net row
 //   homogeneous       w_i (1, c_i) from points and weights      dehomogenize   back again
 #pragma once
@@ -40,8 +41,8 @@ struct WeightedPoints {
 template <Ring S, int D>
 std::vector<Vec<S, D + 1>> homogeneous(const WeightedPoints<S, D>& net) {
   if (net.weights.size() != net.points.size()) {
-    throw InvalidInput("weights", "expected " + std::to_string(net.points.size()) + ", found " +
-                                      std::to_string(net.weights.size()));
+    throw InvalidInput(
+        "weights", "expected " + std::to_string(net.points.size()) + ", found " + std::to_string(net.weights.size()));
   }
   std::vector<Vec<S, D + 1>> rows(net.points.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {

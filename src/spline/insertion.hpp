@@ -16,8 +16,8 @@ namespace torse {
 template <OrderedField S>
 int insertion_interval(const KnotList<S>& u, const S& t) {
   if (definitely(less(t, u.domain_begin())) || definitely(less(u.domain_end(), t))) {
-    throw InvalidInput("t", "expected a parameter in [" + as_text(u.domain_begin()) + ", " +
-                                as_text(u.domain_end()) + "], found " + as_text(t));
+    throw InvalidInput("t", "expected a parameter in [" + as_text(u.domain_begin()) + ", " + as_text(u.domain_end()) +
+                                "], found " + as_text(t));
   }
   for (int j = u.last() - 1; j >= u.degree() - 1; --j) {
     const Truth left = less(t, u[j]);

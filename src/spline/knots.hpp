@@ -98,9 +98,9 @@ class KnotList {
     if constexpr (OrderedField<S>) {
       for (int i = 1; i < size(); ++i) {
         if (definitely(less((*this)[i], (*this)[i - 1]))) {
-          throw InvalidInput("knots[" + std::to_string(i) + "]",
-                             "expected a non-decreasing list, found " + as_text((*this)[i]) + " after " +
-                                 as_text((*this)[i - 1]));
+          throw InvalidInput(
+              "knots[" + std::to_string(i) + "]",
+              "expected a non-decreasing list, found " + as_text((*this)[i]) + " after " + as_text((*this)[i - 1]));
         }
       }
     }
@@ -123,8 +123,8 @@ class KnotList {
   static void check_outer(const std::vector<S>& cad) {
     if constexpr (OrderedField<S>) {
       if (definitely(less(cad[1], cad[0]))) {
-        throw InvalidInput("knots[1]", "expected a non-decreasing list, found " + as_text(cad[1]) + " after " +
-                                           as_text(cad[0]));
+        throw InvalidInput("knots[1]",
+                           "expected a non-decreasing list, found " + as_text(cad[1]) + " after " + as_text(cad[0]));
       }
       const std::size_t m = cad.size() - 1;
       if (definitely(less(cad[m], cad[m - 1]))) {

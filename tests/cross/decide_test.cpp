@@ -32,9 +32,7 @@ struct Net {
   std::vector<Vec<Rational, D>> d;
 };
 
-Rational text(const std::string& s) {
-  return Rational::from_text(s);
-}
+Rational text(const std::string& s) { return Rational::from_text(s); }
 
 template <int D>
 Vec<Rational, D> random_point(FractionSource<Rational>& from) {
@@ -157,13 +155,9 @@ void compare_many(std::uint64_t count) {
   EXPECT_GT(late_coefficient, static_cast<int>(count / 100));
 }
 
-TEST(Decide, AgreesWithTheOracleOnPolynomialSurfaces) {
-  compare_many<3>(2000);
-}
+TEST(Decide, AgreesWithTheOracleOnPolynomialSurfaces) { compare_many<3>(2000); }
 
-TEST(Decide, AgreesWithTheOracleOnRationalSurfaces) {
-  compare_many<4>(1000);
-}
+TEST(Decide, AgreesWithTheOracleOnRationalSurfaces) { compare_many<4>(1000); }
 
 TEST(Decide, CylindersConesAndRecursionsAreDevelopable) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {

@@ -14,9 +14,7 @@ using nlohmann::json;
 
 const std::filesystem::path samples = std::filesystem::path(TORSE_SOURCE_PATH) / "tests/golden/samples";
 
-json manifest() {
-  return json::parse(slurp(samples / "manifest.json"));
-}
+json manifest() { return json::parse(slurp(samples / "manifest.json")); }
 
 class Sample : public ::testing::TestWithParam<json> {
  public:

@@ -44,9 +44,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(WideBall, RingLaws, WideBall, ScalarName);
 INSTANTIATE_TYPED_TEST_SUITE_P(WideBall, FieldLaws, WideBall, ScalarName);
 
 /// Whether the ball contains the rational number.
-bool contains(const WideBall& ball, const Rational& x) {
-  return ball.contains(x.text());
-}
+bool contains(const WideBall& ball, const Rational& x) { return ball.contains(x.text()); }
 
 TEST(Ball, EnclosesTheExactResult) {
   Rng rng(8);

@@ -11,13 +11,9 @@ namespace {
 using Q = Rational;
 using Row = Vec<Q, 4>;
 
-Row row(int a, int b, int c, int d) {
-  return Row(Q(a), Q(b), Q(c), Q(d));
-}
+Row row(int a, int b, int c, int d) { return Row(Q(a), Q(b), Q(c), Q(d)); }
 
-Q dot(const Row& a, const Row& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-}
+Q dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
 
 TEST(Echelon, KernelSolvesEveryEquation) {
   const std::vector<Row> equations{row(0, 2, 4, -6), row(0, 1, 2, -3), row(3, 1, 0, 5), row(3, 3, 4, -1),

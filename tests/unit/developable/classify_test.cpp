@@ -15,9 +15,7 @@ namespace {
 using Q = Rational;
 using Point3 = Vec<Q, 3>;
 
-Point3 point(int x, int y, int z) {
-  return Point3(Q(x), Q(y), Q(z));
-}
+Point3 point(int x, int y, int z) { return Point3(Q(x), Q(y), Q(z)); }
 
 /// A surface by its affine rows and weights.
 struct Net {

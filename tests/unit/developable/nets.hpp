@@ -14,9 +14,7 @@ namespace torse::test {
 using Q = Rational;
 using Point3 = Vec<Q, 3>;
 
-inline Point3 point(int x, int y, int z) {
-  return Point3(Q(x), Q(y), Q(z));
-}
+inline Point3 point(int x, int y, int z) { return Point3(Q(x), Q(y), Q(z)); }
 
 inline KnotList<Q> knots(int degree, const std::vector<int>& list) {
   std::vector<Q> u;

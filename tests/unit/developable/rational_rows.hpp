@@ -10,13 +10,9 @@ namespace torse::test {
 
 using Row = Vec<Q, 4>;
 
-inline Q q(int num, int den) {
-  return ratio<Q>(num, den);
-}
+inline Q q(int num, int den) { return ratio<Q>(num, den); }
 
-inline Row row(int w, int x, int y, int z) {
-  return Row(Q(w), Q(x), Q(y), Q(z));
-}
+inline Row row(int w, int x, int y, int z) { return Row(Q(w), Q(x), Q(y), Q(z)); }
 
 /// Coordinate j of the rows as a polynomial.
 inline Bernstein<Q> coordinate(const std::vector<Row>& rows, int j) {
@@ -55,8 +51,6 @@ bool related(const std::vector<Row>& p, const std::vector<Row>& q, const Q& t, c
 }
 
 /// A cubic row whose points lie in no plane.
-inline std::vector<Row> cubic_row() {
-  return {row(1, 0, 0, 1), row(2, 3, 1, 0), row(1, 4, -1, 2), row(3, 1, 5, 1)};
-}
+inline std::vector<Row> cubic_row() { return {row(1, 0, 0, 1), row(2, 3, 1, 0), row(1, 4, -1, 2), row(3, 1, 5, 1)}; }
 
 }  // namespace torse::test

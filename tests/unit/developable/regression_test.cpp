@@ -13,9 +13,7 @@ namespace {
 using namespace test;
 
 /// (1, 3t, 3t^2, t^3) over the Bernstein basis.
-std::vector<Row> twisted_cubic() {
-  return {row(1, 0, 0, 0), row(1, 1, 0, 0), row(1, 2, 1, 0), row(1, 3, 3, 1)};
-}
+std::vector<Row> twisted_cubic() { return {row(1, 0, 0, 0), row(1, 1, 0, 0), row(1, 2, 1, 0), row(1, 3, 3, 1)}; }
 
 TEST(Regression, ParameterAndSpeedByHand) {
   EXPECT_EQ(edge_parameter(Q(0), BlossomFunctions<Q>{q(-4, 3), Q(-2), Q(1)}), Q(3));

@@ -6,9 +6,7 @@
 namespace torse {
 namespace {
 
-Rational q(const char* text) {
-  return Rational::from_text(text);
-}
+Rational q(const char* text) { return Rational::from_text(text); }
 
 std::vector<Rational> product(const std::vector<Rational>& f, const std::vector<Rational>& g) {
   std::vector<Rational> h(f.size() + g.size() - 1);
@@ -24,9 +22,7 @@ Rational value(const std::vector<Rational>& f, const Rational& x) {
   return y;
 }
 
-std::vector<Rational> linear(const char* root) {
-  return {-q(root), Rational(1)};
-}
+std::vector<Rational> linear(const char* root) { return {-q(root), Rational(1)}; }
 
 TEST(RealRoots, RationalRootsAreExactAndCountOnce) {
   std::vector<Rational> f{q("-3/7")};

@@ -11,9 +11,7 @@
 namespace torse {
 namespace {
 
-std::string read(const std::string& text) {
-  return parse_number<Rational>(text).text();
-}
+std::string read(const std::string& text) { return parse_number<Rational>(text).text(); }
 
 TEST(Number, DecimalsAreExact) {
   EXPECT_EQ(read("0"), "0");

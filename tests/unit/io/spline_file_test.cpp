@@ -16,9 +16,7 @@ constexpr const char* ruled_text = R"({"torse": 1, "type": "ruled", "degree": 2,
  "c": {"points": [[0, 0, 0], ["3/2", 1, 0], [0.5, "0x1.8p-3", 1e-30], [3, 1, 0]], "weights": [1, "3/5", -2, 1]},
  "d": {"points": [[0, 0, 1], [1, 1, 1], [2, 0, 1], [3, 1, 1]]}})";
 
-Q q(const char* text) {
-  return Q::from_text(text);
-}
+Q q(const char* text) { return Q::from_text(text); }
 
 /// The text with one piece of it replaced.
 std::string with(std::string text, const std::string& from, const std::string& to) {

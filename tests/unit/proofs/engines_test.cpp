@@ -1,12 +1,15 @@
 // The engines themselves: every engine that may refute must refute wrong claims, and the findings must not depend on
 // threads, shards or the order of work.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 
 #include "torse/exact/rational/rational.hpp"
+#include "torse/io/file.hpp"
 #include "torse/proofs/engines/engine.hpp"
 #include "torse/proofs/report.hpp"
 #include "torse/proofs/runner.hpp"
@@ -41,12 +44,13 @@ TEST(Claims, EveryIdOnceWithPaperAndMutants) {
     EXPECT_FALSE(info->statement.empty()) << info->id;
     EXPECT_GE(info->mutants.size(), 3U) << info->id;
   }
-  for (const char* id : {"FJ07.1", "FJ07.2", "FJ07.3", "FJ07.4", "FJ07.5", "FJ07.6", "FJ07.7", "FJ07.8", "FJ07.9", "FJ07.T1",
-                         "FJ07.10", "FJ07.11", "FJ07.12", "FJ07.C1", "FJ07.13", "FJ07.C2", "FJ07.14", "FJ07.15", "FJ07.16",
-                         "FJ07.17", "FJ07.18", "FJ07.19", "FJ07.C3", "FJ07.20", "FJ07.21", "FJ21.2.1", "FJ21.3.1",
-                         "FJ21.3.2", "FJ21.P3.1", "FJ21.C3.1", "FJ21.3.3", "FJ21.3.5", "FJ21.T3.1", "FJ21.T3.2",
-                         "FJ21.4.1", "FJ21.4.3", "FJ21.4.4", "FJ21.C4.1", "FJ21.W", "FJ21.5.1", "FJ21.5.2", "FJ21.5.3",
-                         "FJ21.5.4", "FJ21.K", "FJ21.6", "FJ21.6.1", "FJ21.C6.1", "FJ21.T6.1", "FJ21.7.1", "FJ21.E8"}) {
+  for (const char* id :
+       {"FJ07.1",   "FJ07.2",    "FJ07.3",    "FJ07.4",   "FJ07.5",   "FJ07.6",    "FJ07.7",    "FJ07.8",   "FJ07.9",
+        "FJ07.T1",  "FJ07.10",   "FJ07.11",   "FJ07.12",  "FJ07.C1",  "FJ07.13",   "FJ07.C2",   "FJ07.14",  "FJ07.15",
+        "FJ07.16",  "FJ07.17",   "FJ07.18",   "FJ07.19",  "FJ07.C3",  "FJ07.20",   "FJ07.21",   "FJ21.2.1", "FJ21.3.1",
+        "FJ21.3.2", "FJ21.P3.1", "FJ21.C3.1", "FJ21.3.3", "FJ21.3.5", "FJ21.T3.1", "FJ21.T3.2", "FJ21.4.1", "FJ21.4.3",
+        "FJ21.4.4", "FJ21.C4.1", "FJ21.W",    "FJ21.5.1", "FJ21.5.2", "FJ21.5.3",  "FJ21.5.4",  "FJ21.K",   "FJ21.6",
+        "FJ21.6.1", "FJ21.C6.1", "FJ21.T6.1", "FJ21.7.1", "FJ21.E8"}) {
     EXPECT_TRUE(ids.contains(id)) << id;
   }
 }
@@ -81,8 +85,12 @@ TEST_P(WrongClaims, AreRefuted) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, WrongClaims, testing::Values(&run_rational, &run_modular, &run_symbolic),
-                         [](const auto& info) { return std::string(info.index == 0 ? "Rational" : info.index == 1 ? "Modular" : "Symbolic"); });
+std::string engine_of(const testing::TestParamInfo<Finding (*)(std::size_t, const Plan&)>& test) {
+  constexpr std::array<const char*, 3> names{"Rational", "Modular", "Symbolic"};
+  return names.at(test.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, WrongClaims, testing::Values(&run_rational, &run_modular, &run_symbolic), engine_of);
 
 TEST(Runner, FindingsDoNotDependOnThreads) {
   Selection selection;
@@ -127,10 +135,21 @@ TEST(Runner, SeedsGiveOtherInputsAndTheSameStatus) {
 }
 
 TEST(Modular, ErrorBoundReachesItsTarget) {
-  for (const Finding& finding : {run_modular(index_of("FJ07.16"), quick()), run_modular(index_of("FJ07.13"), quick())}) {
+  for (const Finding& finding :
+       {run_modular(index_of("FJ07.16"), quick()), run_modular(index_of("FJ07.13"), quick())}) {
     ASSERT_TRUE(finding.error_log2.has_value());
     EXPECT_LT(*finding.error_log2, -50);
     EXPECT_GT(*finding.error_log2, -2000);
+  }
+}
+
+TEST(Ledger, NothingGotWorseSinceItWasWritten) {
+  const std::string stored = read_file(TORSE_SOURCE_PATH "/proofs/ledger.json");
+  const std::vector<Entry> entries = run_all({}, quick(), 2, {});
+  EXPECT_THAT(regressions(stored, entries, true), testing::IsEmpty());
+  for (const Entry& entry : entries) {
+    EXPECT_EQ(entry.mutants().survived + entry.faults().survived, 0) << entry.info->id;
+    EXPECT_NE(stored.find("{\"id\":\"" + std::string(entry.info->id) + "\""), std::string::npos) << entry.info->id;
   }
 }
 
