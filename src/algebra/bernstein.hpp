@@ -1,6 +1,6 @@
 // Polynomials in Bernstein form over a field: f(t) = sum_i b_i C(d, i) (1-t)^{d-i} t^i.
 //   Bernstein<S>     coefficients, + - *, value, elevation, derivative, composition, subdivision, zero test
-//   binomial         C(n, k) in S
+//   binomial         C(n, k) in S        binomials     the row C(n, 0), ..., C(n, n)
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,32 @@
 
 namespace torse {
 
-/// C(n, k) in S, by the multiplicative formula over the integers (n <= 61 keeps the products within 64 bits); larger n
-/// by Pascal's rule in S.
+/// C(n, 0), ..., C(n, n) in S: by the multiplicative formula over the integers up to n = 61, which keeps the products
+/// within 64 bits, beyond that by Pascal's rule in S.
 template <Ring S>
-S binomial(int n, int k) {
-  if (k < 0 || k > n) return from_int<S>(0);
-  if (n <= 61) {
-    std::int64_t value = 1;
-    for (int i = 1; i <= k; ++i) value = static_cast<std::int64_t>(static_cast<int128>(value) * (n - k + i) / i);
-    return from_int<S>(value);
-  }
+std::vector<S> binomials(int n) {
   std::vector<S> row{from_int<S>(1)};
-  for (int m = 1; m <= n; ++m) {
+  const int first = n <= 61 ? n : 61;
+  std::int64_t value = 1;
+  for (int k = 1; k <= first; ++k) {
+    value = static_cast<std::int64_t>(static_cast<int128>(value) * (first - k + 1) / k);
+    row.push_back(from_int<S>(value));
+  }
+  for (int m = first + 1; m <= n; ++m) {
     row.push_back(from_int<S>(1));
     for (int i = m - 1; i > 0; --i) row[static_cast<std::size_t>(i)] += row[static_cast<std::size_t>(i) - 1];
   }
-  return row[static_cast<std::size_t>(k)];
+  return row;
+}
+
+/// C(n, k) in S, 0 outside 0 <= k <= n. Callers that need a whole row take `binomials`.
+template <Ring S>
+S binomial(int n, int k) {
+  if (k < 0 || k > n) return from_int<S>(0);
+  if (n > 61) return binomials<S>(n)[static_cast<std::size_t>(k)];
+  std::int64_t value = 1;
+  for (int i = 1; i <= k; ++i) value = static_cast<std::int64_t>(static_cast<int128>(value) * (n - k + i) / i);
+  return from_int<S>(value);
 }
 
 /// A polynomial of degree at most d by its d + 1 Bernstein coefficients on [0, 1].
@@ -41,13 +51,15 @@ class Bernstein {
   /// From the homogeneous form: coefficients divided by binomials.
   static Bernstein from_form(const BinaryForm<S>& f) {
     std::vector<S> b;
-    for (int i = 0; i <= f.degree(); ++i) b.push_back(f[i] / binomial<S>(f.degree(), i));
+    const std::vector<S> weights = binomials<S>(f.degree());
+    for (int i = 0; i <= f.degree(); ++i) b.push_back(f[i] / weights[static_cast<std::size_t>(i)]);
     return Bernstein(std::move(b));
   }
   /// The homogeneous form: coefficients times binomials.
   BinaryForm<S> form() const {
     BinaryForm<S> f(degree());
-    for (int i = 0; i <= degree(); ++i) f[i] = (*this)[i] * binomial<S>(degree(), i);
+    const std::vector<S> weights = binomials<S>(degree());
+    for (int i = 0; i <= degree(); ++i) f[i] = (*this)[i] * weights[static_cast<std::size_t>(i)];
     return f;
   }
 
