@@ -28,7 +28,8 @@ std::string json_of(const std::vector<ExampleRow>& rows) {
                       {"computed", row.computed},
                       {"equal", row.equal}});
   }
-  return Json{{"torse", 1}, {"examples", {{{"id", "FJ21.E8"}, {"source", "FJ21, section 8"}, {"values", values}}}}}.dump(1) +
+  return Json{{"torse", 1}, {"examples", {{{"id", "FJ21.E8"}, {"source", "FJ21, section 8"}, {"values", values}}}}}
+             .dump(1) +
          "\n";
 }
 
@@ -46,7 +47,8 @@ void print_rows(const std::vector<ExampleRow>& rows) {
     if (row.group != group) terminal.print(terminal.painted(Paint::dim, row.group) + "\n");
     group = row.group;
     const std::string mark = row.equal ? terminal.painted(Paint::good, "=") : terminal.painted(Paint::bad, "differs:");
-    terminal.print(fmt::format("  {:<{}}  {:<{}}  {} {}\n", row.label, label, row.printed, printed, mark, row.computed));
+    terminal.print(
+        fmt::format("  {:<{}}  {:<{}}  {} {}\n", row.label, label, row.printed, printed, mark, row.computed));
   }
   const auto equal = std::ranges::count(rows, true, &ExampleRow::equal);
   terminal.print(fmt::format("{} of {} printed values reproduced exactly\n", equal, rows.size()));

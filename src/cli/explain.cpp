@@ -75,8 +75,9 @@ int run_explain(const std::string& id) {
   while (proofs::all_claims()[index]->id != id) ++index;
   const proofs::ClaimInfo& info = *proofs::all_claims()[index];
   const proofs::ClaimCase<Rational>& claim = proofs::claim_cases<Rational>()[index];
-  std::string text = fmt::format("{}  {}\n  source      {}, {}\n  kind        {}\n  statement   {}\n", info.id,
-                                 info.title, info.paper(), info.source, kind_text(info.kind), wrapped(info.statement, 14));
+  std::string text =
+      fmt::format("{}  {}\n  source      {}, {}\n  kind        {}\n  statement   {}\n", info.id, info.title,
+                  info.paper(), info.source, kind_text(info.kind), wrapped(info.statement, 14));
   text += info.hypotheses.empty() ? "  hypotheses  none\n" : "  hypotheses\n";
   for (std::size_t h = 0; h < info.hypotheses.size(); ++h) {
     const std::string note = info.hypotheses[h].stated ? "" : " (not stated in the paper)";

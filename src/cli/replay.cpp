@@ -1,5 +1,6 @@
 // torse replay: a file with a failing case, run again without any random choice of its own. The file is a report of
-// torse verify (every finding that failed runs again with its seed), a surface (checked) or a construction (made, checked).
+// torse verify (every finding that failed runs again with its seed), a surface (checked) or a construction (made,
+// checked).
 #include <fmt/format.h>
 
 #include <algorithm>

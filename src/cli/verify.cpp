@@ -135,11 +135,10 @@ void print_entry(const Terminal& terminal, const Entry& entry, const proofs::Pla
       modular != nullptr && modular->error_log2 ? fmt::format("2^{:.0f}", *modular->error_log2) : "-";
   const bool printed_is_wrong = std::ranges::any_of(entry.info->hypotheses, [](const auto& h) { return !h.stated; });
   const std::string status = fmt::format("{}{}", proofs::status_name(entry.status()), printed_is_wrong ? "*" : "");
-  terminal.print(fmt::format(
-      "{:<11} {} {:<22} {:>7} {:>6} {:>11}  {}\n", entry.info->id,
-      terminal.painted(paint_of(entry), fmt::format("{:<10}", status)),
-      proofs::sizes_text(entry.decisive()->sizes), bound, score_text(entry.mutants()), score_text(entry.faults()),
-      entry.info->title));
+  terminal.print(fmt::format("{:<11} {} {:<22} {:>7} {:>6} {:>11}  {}\n", entry.info->id,
+                             terminal.painted(paint_of(entry), fmt::format("{:<10}", status)),
+                             proofs::sizes_text(entry.decisive()->sizes), bound, score_text(entry.mutants()),
+                             score_text(entry.faults()), entry.info->title));
   if (outcome_of(entry) == Outcome::passed) return;
   terminal.print(fmt::format("{:<11} {}\n", "", message_of(entry)));
   for (const std::string& survivor : culprit(entry).survivors) {
