@@ -1,7 +1,7 @@
 // Polynomials in one variable t over an exact field, in the power basis.
 //   Polynomial<S>          + - *, value, derivative, composition, zero test
 //   divide_with_rest       quotient and remainder         exact_quotient     where the remainder is zero
-//   gcd                    monic greatest common divisor  square_free_part   each root once
+//   gcd, common_divisor    of two, of a list, monic       square_free_part   each root once
 //   ScalarTraits<Polynomial<S>>: the ring S[t]
 #pragma once
 
@@ -154,6 +154,17 @@ Polynomial<S> gcd(Polynomial<S> f, Polynomial<S> g) {
     std::swap(f, g);
   }
   return f;
+}
+
+/// The monic greatest common divisor of a list of polynomials.
+template <class List>
+auto common_divisor(const List& list) {
+  typename List::value_type common;
+  for (const auto& f : list) {
+    common = gcd(common, f);
+    if (common.degree() == 0) break;
+  }
+  return common;
 }
 
 /// The monic polynomial with the same roots, each once, over a field of characteristic zero. f is not zero.

@@ -33,7 +33,7 @@ std::optional<EdgeOfRegression<S>> edge_of(const PieceFunctions<S>& f) {
   if (f.sweep != Sweep::surface) return std::nullopt;
   EdgeOfRegression<S> edge{{}, 0, std::nullopt};
   for (std::size_t j = 0; j < 4; ++j) edge.row[j] = f.delta * f.q[j] - f.beta * f.p[j];
-  const Polynomial<S> common = detail::common_divisor<S>(edge.row);
+  const Polynomial<S> common = common_divisor(edge.row);
   for (Polynomial<S>& x : edge.row) {
     x = exact_quotient(x, common);
     edge.degree = std::max(edge.degree, x.degree());

@@ -97,17 +97,6 @@ struct PieceFunctions {
 
 namespace detail {
 
-/// The monic greatest common divisor of a list.
-template <ExactField S, class List>
-Polynomial<S> common_divisor(const List& list) {
-  Polynomial<S> common;
-  for (const Polynomial<S>& f : list) {
-    common = gcd(common, f);
-    if (common.degree() == 0) break;
-  }
-  return common;
-}
-
 /// Four rows of four polynomials: their dependence by cofactors.
 template <ExactField S>
 class PolynomialMatrix {
@@ -138,7 +127,7 @@ class PolynomialMatrix {
     for (; left_out < 4 && std::ranges::all_of(x, is_zero_polynomial); ++left_out) {
       for (std::size_t i = 0; i < 4; ++i) x[i] = cofactor(i, left_out);
     }
-    minors = common_divisor<S>(x);
+    minors = common_divisor(x);
     if (minors.zero()) return x;
     for (Polynomial<S>& f : x) f = exact_quotient(f, minors);
     // The cofactors of every other coordinate are a multiple of the same dependence.
@@ -171,6 +160,8 @@ PolynomialRow<S, 4> blossom_at_zero(int n, const PolynomialRow<S, 4>& p) {
   return row;
 }
 
+}  // namespace detail
+
 /// The pairwise determinants p_i q_j - p_j q_i: zero together where p and q are proportional.
 template <ExactField S>
 std::vector<Polynomial<S>> ruling_coordinates(const PolynomialRow<S, 4>& p, const PolynomialRow<S, 4>& q) {
@@ -180,8 +171,6 @@ std::vector<Polynomial<S>> ruling_coordinates(const PolynomialRow<S, 4>& p, cons
   }
   return l;
 }
-
-}  // namespace detail
 
 /// The functions of piece k of a ruled spline with homogeneous rows p, q. The rows p[t^<n-1>, 0], p', q[t^<n-1>, 0], q'
 /// of degree n - 1 have the span of p, p', q, q'; the cofactors of a coordinate are their dependence. Throws
@@ -204,7 +193,7 @@ PieceFunctions<S> recover_piece(const KnotList<S>& u, std::span<const Vec<S, 4>>
   }
   const std::array<Polynomial<S>, 4> x = rows.dependence(f.minors);
   if (f.minors.zero()) {
-    const std::vector<Polynomial<S>> l = detail::ruling_coordinates<S>(f.p, f.q);
+    const std::vector<Polynomial<S>> l = ruling_coordinates<S>(f.p, f.q);
     const bool independent = std::ranges::any_of(l, [](const Polynomial<S>& e) { return !e.zero(); });
     f.sweep = independent ? Sweep::line : Sweep::curve;
     return f;
