@@ -64,12 +64,12 @@ int run_construct(const ConstructOptions& options) {
     const Judgement judgement = judge(result.surface);
     for (const std::string& note : result.notes) terminal.print(note + '\n');
     if (!judgement.developable()) {
-      print_error("the determinant refutes the result, nothing is written: " +
+      print_error("the exact decision refutes the result, nothing is written: " +
                   describe(*judgement.witness, result.surface.knots) + "\n  replay: " + replay);
       return exit_code::refuted;
     }
     write_file(options.output, write_ruled(result.surface));
-    terminal.print(fmt::format("{}: {}, verified by the determinant; {}\n",
+    terminal.print(fmt::format("{}: {}, decided exactly; {}\n",
                                options.output == "-" ? "standard output" : printable(options.output),
                                terminal.painted(Paint::good, "developable"), describe(judgement.classification)));
     return exit_code::success;

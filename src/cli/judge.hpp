@@ -1,6 +1,6 @@
 // The exact verdict on a ruled surface.
 //   Judgement        verdict, class, witness
-//   judge            the determinant decides, then the class
+//   judge            whether it is developable, then the class
 #pragma once
 
 #include <optional>

@@ -34,7 +34,6 @@ class TellingIterator {
     return *this;
   }
   friend bool operator==(const TellingIterator& a, const TellingIterator& b) { return a.at_ == b.at_; }
-  friend bool operator!=(const TellingIterator& a, const TellingIterator& b) { return a.at_ != b.at_; }
 
  private:
   const char* at_;

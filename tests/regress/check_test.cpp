@@ -59,6 +59,14 @@ TEST_F(Check, TheWitnessIsExact) {
   EXPECT_EQ(surface["witness"]["value"], "1/7");  // the volume of the three edges at c_0
 }
 
+TEST_F(Check, WeightsOfOneRowCount) {
+  // The second row is the first one moved, a cylinder but for its weights, which bend the rulings.
+  const std::string rows = R"({"torse": 1, "type": "ruled", "degree": 2, "c": {"points": [[0,0,0],[1,0,0],[1,1,0]]},
+   "d": {"points": [[0,0,1],[1,0,1],[1,1,1]], "weights": )";
+  EXPECT_EQ(run_program({"check", file("moved", rows + "[1, 1, 1]}}")}).exit, 0);
+  EXPECT_EQ(run_program({"check", file("bent", rows + "[1, 2, 1]}}")}).exit, 1);
+}
+
 TEST_F(Check, TheVertexIsExact) {
   const std::string cone = R"({"torse": 1, "type": "ruled", "degree": 2,
    "c": {"points": [[0,0,0],[1,0,0],[1,"1/3",0]]}, "d": {"points": [[0,0,"1/7"],["1/2",0,"1/7"],["1/2","1/6","1/7"]]}})";

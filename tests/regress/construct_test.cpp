@@ -100,16 +100,21 @@ TEST_F(Construct, TangentRowIsTheCurvePlusItsDerivative) {
 TEST_F(Construct, InterpolationReachesBothRulings) {
   // v x w = (0, 0, 1) and the curve's height falls and rises, so that the polynomial in M* has two rational roots off
   // the knots: heights 0, h_1, h_2, h_3 of a cubic on [0, 1] give F = D_0 (M-1)^2 + D_1 M (M-1) + D_2 M^2.
-  const json c{{"points", json::parse("[[0,0,0],[1,3,6],[2,-1,1],[5,2,2]]")}};  // D = 6, -5, 1: roots 2 and 3
+  const json c{{"points", json::parse("[[0,0,0],[1,3,6],[2,-1,1],[5,2,2]]")}};  // D = 6, -5, 1: 2 M^2 - 7 M + 6
   const json input =
       input_of("interpolate", {{"degree", 3}, {"c", c}, {"va", {1, 0, 0}}, {"vb", {0, 1, 0}}, {"Lambda", 5}});
-  for (const char* branch : {"1", "2"}) {
+  const std::pair<const char*, Q> branches[] = {{"1", ratio<Q>(3, 2)}, {"2", Q(2)}};
+  for (const auto& [branch, m] : branches) {
     const ProgramResult result = run(input, {"--branch", branch});
     ASSERT_EQ(result.exit, 0) << result.err;
     EXPECT_THAT(result.out, HasSubstr("branch 2"));
     const RuledFile<Q> made = surface();
     EXPECT_TRUE(parallel(difference(made.d.points[0], made.c.points[0]), Point3(Q(1), Q(0), Q(0))));
     EXPECT_TRUE(parallel(difference(made.d.points[3], made.c.points[3]), Point3(Q(0), Q(1), Q(0))));
+    for (std::size_t i = 0; i < 3; ++i) {  // FJ07.12 with Lam = 5
+      const Point3 left = combine(Q(-4), made.c.points[i], Q(5), made.c.points[i + 1]);
+      EXPECT_TRUE((left == combine(Q(1) - m, made.d.points[i], m, made.d.points[i + 1]))) << branch;
+    }
     EXPECT_EQ(checked()["class"], "tangent");
   }
   EXPECT_EQ(run(input, {"--branch", "3"}).exit, 2);

@@ -72,6 +72,25 @@ TEST(RealRoots, CloseIrrationalRootsStayApart) {
   for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(roots[i - 1].upper, roots[i].lower);
 }
 
+TEST(RealRoots, RoundingDoesNotJoinCloseRoots) {
+  // Mignotte's polynomial x^8 - 2 (1000 x - 1)^2 has two roots within 2^-48 of 1/1000 and of each other.
+  const std::vector<Rational> f{q("-2"), q("4000"), q("-2000000"), q("0"), q("0"), q("0"), q("0"), q("0"), q("1")};
+  const std::vector<RealRoot> roots = real_roots(f, 8);
+  ASSERT_EQ(roots.size(), 4U);
+  for (const RealRoot& root : roots) EXPECT_LT((value(f, root.lower) * value(f, root.upper)).sign(), 0);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(roots[i - 1].upper, roots[i].lower);
+}
+
+TEST(RealRoots, IrrationalRootsNextToIntegersAreNotTakenForThem) {
+  Rational power(1);
+  for (int digits = 1; digits <= 40; ++digits) {  // x^2 = 10^(2 digits) + 1
+    power *= Rational(10);
+    const std::vector<RealRoot> roots = real_roots({-(power * power + Rational(1)), Rational(0), Rational(1)}, 8);
+    ASSERT_EQ(roots.size(), 2U);
+    EXPECT_FALSE(roots[1].rational()) << digits;
+  }
+}
+
 TEST(RealRoots, ConstantsAndZero) {
   EXPECT_TRUE(real_roots({q("7")}, 10).empty());
   EXPECT_TRUE(real_roots({q("1"), q("0"), q("1")}, 10).empty());

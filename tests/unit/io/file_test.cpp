@@ -2,6 +2,9 @@
 #include "torse/io/file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
 
 #include "support/program.hpp"
 
@@ -44,6 +47,29 @@ TEST(File, AFailureLeavesTheFolderAsItWas) {
   EXPECT_THROW(write_file("/dev/full", "x"), FileError);
   EXPECT_EQ(entries(scratch), 0U);
   EXPECT_TRUE(std::filesystem::exists("/dev/full"));
+}
+
+TEST(File, ADiskThatFillsUpLeavesTheOldFile) {
+  const Scratch scratch;
+  const std::string path = (scratch / "file").string();
+  write_file(path, "old");
+  // A limit on the size of files stands for a full disk.
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit tight{100, before.rlim_max};
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
+  std::string message;
+  try {
+    write_file(path, std::string(100'000, 'x'));
+  } catch (const FileError& error) {
+    message = error.reason();
+  }
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_EQ(message.substr(0, 18), "cannot be written:");
+  EXPECT_EQ(slurp(path), "old");
+  EXPECT_EQ(entries(scratch), 1U);
 }
 
 TEST(File, WhatCannotBeReadIsNamed) {
