@@ -1,12 +1,18 @@
 // The proof of FJ07.16 for all vertices with every knot, L*, M* and control point an indeterminate, n = 3: the
-// library's recursion and closed form over rational functions against the same linear forms written directly on FLINT.
-#include <benchmark/benchmark.h>
-
+// library's recursion and closed form over rational functions against the same linear forms written directly on FLINT,
+// against SymPy and against PARI/GP.
+//   symbolic_eq16 [FOLDER]      the folder of eq16_sympy.py and eq16.gp; without it those two are left out
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "side_by_side.hpp"
 #include "torse/algebra/free_module.hpp"
 #include "torse/developable/closed_forms.hpp"
 #include "torse/exact/symbolic/flint_headers.hpp"
@@ -40,10 +46,10 @@ bool prove_with_torse(int last) {
   for (int i = 0; i <= last; ++i) c.push_back(P::generator(i));
   const P d0 = P::generator(last + 1);
   const std::vector<P> d = torse::linear_net<RationalFunction, P>(u, c, lambda, m, d0);
-  for (int vertex = 1; vertex <= last; ++vertex) {
-    const std::size_t at = static_cast<std::size_t>(vertex);
-    P rest = torse::difference(d[at], c[at]);
-    torse::subtract(rest, torse::eq16<RationalFunction, P>(u, c, lambda, m, d0, vertex));
+  const std::vector<P> rulings = torse::eq16_rulings<RationalFunction, P>(u, c, lambda, m, d0);
+  for (std::size_t vertex = 1; vertex < d.size(); ++vertex) {
+    P rest = torse::difference(d[vertex], c[vertex]);
+    torse::subtract(rest, rulings[vertex - 1]);
     if (!rest.terms().empty()) return false;
   }
   return true;
@@ -132,17 +138,81 @@ class HandWritten {
   std::vector<Fraction> u_, d_, e_;
 };
 
-bool prove_by_hand(int last) {
-  return HandWritten(last).prove();
+bool prove_by_hand(int last) { return HandWritten(last).prove(); }
+
+/// The seconds that a program prints in the given unit, or nothing if it fails or takes more than `limit` seconds.
+std::optional<double> seconds_from(const std::string& command, double unit, int limit) {
+  std::FILE* pipe = popen(("timeout " + std::to_string(limit) + " " + command + " 2> /dev/null").c_str(), "r");
+  if (pipe == nullptr) return std::nullopt;
+  std::array<char, 64> text{};
+  const bool read = std::fgets(text.data(), static_cast<int>(text.size()), pipe) != nullptr;
+  const bool ended_well = pclose(pipe) == 0;
+  return read && ended_well ? std::optional(unit * std::strtod(text.data(), nullptr)) : std::nullopt;
 }
 
-void run(benchmark::State& state, bool (*prove)(int)) {
-  for (auto _ : state) {
-    if (!prove(static_cast<int>(state.range(0)))) state.SkipWithError("the identity was not proved");
+/// One row of the peers' table. Returns its ratio to torse, none where the peer did not end in time.
+std::optional<double> print_peer(const std::string& name, int last, std::optional<double> seconds, int limit,
+                                 double ours) {
+  if (seconds) {
+    std::printf("| %s | %d | %s | %.0f |\n", name.c_str(), last, torse::bench::readable(*seconds).c_str(),
+                *seconds / ours);
+  } else {
+    std::printf("| %s | %d | not within %d s | > %.0f |\n", name.c_str(), last, limit, limit / ours);
   }
+  std::fflush(stdout);
+  return seconds ? std::optional(*seconds / ours) : std::nullopt;
 }
 
-BENCHMARK_CAPTURE(run, torse, prove_with_torse)->Arg(10)->Arg(30)->Arg(60)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(run, flint_by_hand, prove_by_hand)->Arg(10)->Arg(30)->Arg(60)->Unit(benchmark::kMillisecond);
+/// SymPy and PARI/GP, which time themselves. `ours` holds the times of torse at L = 10, 22, 60.
+void compare_with_systems(const std::string& folder, const std::array<double, 3>& ours) {
+  constexpr int limit = 60;
+  std::puts("\n| system | L | time | ratio to torse |\n|---|--:|--:|--:|");
+  std::optional<double> expressions, forms;
+  for (const std::string variant : {"together", "simplify", "cancel", "ratsimp", "field", "forms"}) {
+    const auto seconds = seconds_from("python3 " + folder + "/eq16_sympy.py 10 " + variant, 1, limit);
+    const auto ratio = print_peer("SymPy, " + variant, 10, seconds, limit, ours[0]);
+    std::optional<double>& best = variant == "forms" ? forms : expressions;
+    if (ratio) best = std::min(*ratio, best.value_or(*ratio));
+  }
+  for (const std::string variant : {"field", "forms"}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int last = std::array{10, 22, 60}[i];
+      const auto seconds = seconds_from(
+          "env L=" + std::to_string(last) + " VARIANT=" + variant + " gp -q -f -s 2G " + folder + "/eq16.gp", 1e-3,
+          limit);
+      print_peer("PARI/GP, " + variant, last, seconds, limit, ours[i]);
+    }
+  }
+  if (!expressions || !forms) {
+    std::puts("\nSymPy did not run.");
+    return;
+  }
+  std::printf(
+      "\nSymPy at L = 10: %.0f times the time of torse in the best variant with control points as symbols; %.0f times "
+      "in "
+      "linear forms, torse's own method written in SymPy.\n",
+      *expressions, *forms);
+  torse::bench::goal("Goal: at least 1000 times faster than SymPy with everything symbolic, L = 10",
+                     *expressions >= 1000);
+}
 
 }  // namespace
+
+int main(int count, char** arguments) {
+  std::puts("## FJ07.16 at every vertex, every knot, L*, M* and control point symbolic, n = 3\n");
+  std::puts("In brackets: ratio to torse.\n");
+  std::array<double, 3> ours{};
+  double ratio = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int last = std::array{10, 22, 60}[i];
+    const std::vector<torse::bench::Contender> contenders{
+        {"torse", [&] { return prove_with_torse(last); }},
+        {"FLINT linear forms by hand", [&] { return prove_by_hand(last); }}};
+    if (i == 0) print_head("L", contenders);
+    const auto timings = compare(std::to_string(last), contenders, 5);
+    ours[i] = timings[0].seconds;
+    ratio = 1 / timings[1].ratio;
+  }
+  torse::bench::goal("Goal: at L = 60 within 1.5 times the time of FLINT by hand", ratio <= 1.5);
+  if (count > 1) compare_with_systems(arguments[1], ours);
+}

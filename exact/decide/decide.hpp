@@ -1,5 +1,5 @@
-// The fast exact decision of developability over Q: find_witness by many primes.
-//   find_witness_modular      the same answer as find_witness
+// The fast exact decision of developability over Q.
+//   find_witness_over_q      the same answer as find_witness
 #pragma once
 
 #include <optional>
@@ -10,17 +10,16 @@
 
 namespace torse {
 
-/// What find_witness says over Rational, several times faster: the first piece, Bernstein coefficient and its value
-/// where the determinant does not vanish; none proves that the surface is developable. D = 3: points of a polynomial
-/// surface, D = 4: homogeneous rows; L+1 of them in each row, or InvalidInput naming "points" is thrown.
+/// What find_witness says over Rational, many times faster: the first piece, Bernstein coefficient and its value where
+/// the determinant does not vanish; none proves that the surface is developable. D = 3: points of a polynomial surface,
+/// D = 4: homogeneous rows; L+1 of them in each row, or InvalidInput naming "points" is thrown.
 ///
-/// A piece whose rows obey a constant relation (relation.hpp) is developable. For the others:
-/// a coefficient that is not zero modulo a prime is not zero: the exact coefficients up to the first such one give the
-/// witness. A determinant that is zero modulo primes whose product exceeds the bound of bound.hpp is zero. Nothing is
-/// left to chance: primes that divide a denominator are not counted.
+/// A piece whose rows obey a constant relation is developable (relation.hpp). Another one is iff its determinant
+/// vanishes at enough integer parameters (evaluation.hpp); where it does not, the exact coefficients up to the first
+/// that is not zero give the witness.
 template <int D>
-std::optional<DevelopabilityWitness<Rational>> find_witness_modular(const KnotList<Rational>& u,
-                                                                    std::span<const Vec<Rational, D>> c,
-                                                                    std::span<const Vec<Rational, D>> d);
+std::optional<DevelopabilityWitness<Rational>> find_witness_over_q(const KnotList<Rational>& u,
+                                                                   std::span<const Vec<Rational, D>> c,
+                                                                   std::span<const Vec<Rational, D>> d);
 
 }  // namespace torse

@@ -1,6 +1,6 @@
 // An owned GMP integer, and a surface's knots as integers.
 //   Integer           mpz_t with a lifetime
-//   bits_above        b with |x| <= 2^b
+//   make_multiple     a common multiple
 //   integer_knots     the knot list in the parameter where all knots are integers without a common factor
 #pragma once
 
@@ -31,12 +31,6 @@ class Integer {
  private:
   mpz_t z_;
 };
-
-/// The least b with |x| <= 2^b, for x != 0.
-inline long bits_above(mpz_srcptr x) {
-  const std::size_t bits = mpz_sizeinbase(x, 2);
-  return static_cast<long>(mpz_scan1(x, 0) == bits - 1 ? bits - 1 : bits);
-}
 
 /// m becomes a common multiple of m and x, the least one, for positive m and x.
 inline void make_multiple(mpz_ptr m, mpz_srcptr x) {

@@ -19,8 +19,8 @@ Judgement judge(const RuledFile<Rational>& surface) {
   const std::vector<Row> q = homogeneous(surface.d);
   const bool polynomial = unit_weights(surface.c) && unit_weights(surface.d);
   std::optional<DevelopabilityWitness<Rational>> witness =
-      polynomial ? find_witness_modular<3>(surface.knots, surface.c.points, surface.d.points)
-                 : find_witness_modular<4>(surface.knots, p, q);
+      polynomial ? find_witness_over_q<3>(surface.knots, surface.c.points, surface.d.points)
+                 : find_witness_over_q<4>(surface.knots, p, q);
   if (witness) return {{SurfaceClass::none}, std::move(witness)};
   return {classify<Rational>(surface.knots, p, q), std::nullopt};
 }

@@ -1,4 +1,4 @@
-// The multi-modular decision against the generic one over Q, on surfaces of every kind.
+// The fast decision against the generic one over Q, on surfaces of every kind.
 #include "torse/exact/decide/decide.hpp"
 
 #include <gtest/gtest.h>
@@ -11,11 +11,9 @@
 
 #include "torse/developable/linear_net.hpp"
 #include "torse/developable/special.hpp"
-#include "torse/exact/decide/bound.hpp"
-#include "torse/exact/decide/lane_surface.hpp"
-#include "torse/exact/decide/prime_lanes.hpp"
 #include "torse/exact/decide/relation.hpp"
 #include "torse/proofs/sources.hpp"
+#include "torse/spline/elevation.hpp"
 
 namespace torse {
 namespace {
@@ -127,7 +125,7 @@ Net<D> random_net(std::uint64_t seed) {
 template <int D>
 std::optional<DevelopabilityWitness<Rational>> expect_same(const Net<D>& net, const std::string& name) {
   const auto expected = find_witness<Rational, D>(net.u, net.c, net.d);
-  const auto found = find_witness_modular<D>(net.u, net.c, net.d);
+  const auto found = find_witness_over_q<D>(net.u, net.c, net.d);
   EXPECT_EQ(found.has_value(), expected.has_value()) << name;
   if (found && expected) {
     EXPECT_EQ(found->piece, expected->piece) << name;
@@ -168,18 +166,9 @@ TEST(Decide, CylindersConesAndRecursionsAreDevelopable) {
       std::vector<Vec<Rational, 3>> c;
       for (int i = 0; i <= size.last(); ++i) c.push_back(random_point<3>(from));
       const std::vector<Vec<Rational, 3>> d = second_row<3>(u, c, made, from);
-      EXPECT_FALSE((find_witness_modular<3>(u, c, d))) << seed;
+      EXPECT_FALSE((find_witness_over_q<3>(u, c, d))) << seed;
     }
   }
-}
-
-/// The product of the first primes of the decision.
-Rational product_of_primes(std::size_t count) {
-  Rational product(1);
-  for (std::size_t i = 0; i < count; ++i) {
-    product *= Rational(PrimeLanes::block(i / prime_lanes).prime(i % prime_lanes));
-  }
-  return product;
 }
 
 Vec<Rational, 3> point(const Rational& x, const Rational& y, const Rational& z) {
@@ -190,118 +179,54 @@ Vec<Rational, 3> point(const Rational& x, const Rational& y, const Rational& z) 
   return v;
 }
 
-TEST(Decide, ADeterminantDivisibleByManyPrimesIsNotZero) {
-  const Rational zero(0), one(1);
-  for (std::size_t count = 1; count <= 25; ++count) {
-    const Rational product = product_of_primes(count);
-    const Net<3> net{bezier_knots<Rational>(1),
-                     {point(zero, zero, zero), point(product, zero, zero)},
-                     {point(zero, one, zero), point(zero, zero, one)}};
-    const auto witness = find_witness_modular<3>(net.u, net.c, net.d);
-    ASSERT_TRUE(witness) << count;
-    EXPECT_EQ(witness->value, product);
-    expect_same<3>(net, std::to_string(count));
-  }
-}
-
-TEST(Decide, TheFirstWitnessIsFirstEvenWhereItVanishesModuloThePrimes) {
-  Net<3> net = random_net<3>(1);
-  for (std::uint64_t seed = 1; net.u.degree() != 3 || net.u.pieces() != 3; ++seed) net = random_net<3>(seed);
-  FractionSource<Rational> from(7, Temper::generic);
-  for (auto* row : {&net.c, &net.d}) {
-    for (auto& x : *row) x = random_point<3>(from);
-  }
-  const Rational product = product_of_primes(2 * prime_lanes + 1);
-  for (std::size_t i = 0; i <= 3; ++i) {  // the first piece's determinant becomes a multiple of the primes
-    net.c[i][0] *= product;
-    net.d[i][0] *= product;
-  }
-  const auto witness = expect_same<3>(net, "first piece");
-  ASSERT_TRUE(witness);
-  EXPECT_EQ(witness->piece, net.u.proper_pieces().front());
-}
-
-TEST(Decide, PrimesInDenominatorsAreNotCounted) {
-  const Rational product = product_of_primes(3 * prime_lanes);
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    Net<3> net = random_net<3>(seed);
-    net.c[0][0] += Rational(1) / product;
-    expect_same<3>(net, "point, seed " + std::to_string(seed));
-  }
-  FractionSource<Rational> from(3, Temper::generic);
-  const Rational zero(0), one(1);
-  const KnotList<Rational> u(2, {zero, one, product, one + product});
-  std::vector<Vec<Rational, 3>> c;
-  for (int i = 0; i <= u.last(); ++i) c.push_back(random_point<3>(from));
-  EXPECT_FALSE(expect_same<3>({u, c, second_row<3>(u, c, Made::by_recursion, from)}, "knots"));
-  EXPECT_TRUE(expect_same<3>({u, c, second_row<3>(u, c, Made::at_random, from)}, "knots"));
-}
-
-TEST(Decide, ADeterminantWithTheFirstPrimesBelowAndTheNextAboveIsNotZero) {
-  const std::size_t count = 3 * prime_lanes;
-  const Rational zero(0), one(1);
-  const Rational below = one / product_of_primes(count);
-  const Rational above = product_of_primes(2 * count + 1) * below;
-  const Net<3> net{bezier_knots<Rational>(1),
-                   {point(below, zero, zero), point(below + above * below, zero, zero)},
-                   {point(below, one, zero), point(below, zero, one)}};
-  const auto witness = expect_same<3>(net, "below and above");
-  ASSERT_TRUE(witness);
-  EXPECT_EQ(witness->value, above * below);
-}
-
-/// The lanes of the first block that count for piece 1.
-LaneSet valid_lanes(const Net<3>& net) {
-  return LaneSurface<3>(PrimeLanes::block(0), net.u.degree(), integer_knots(net.u.list()), net.c, net.d)
-      .determinant(1)
-      .valid;
-}
-
-TEST(Decide, LanesWhosePrimeDividesADenominatorAreNotValid) {
-  const Rational zero(0), one(1);
-  const Rational first = product_of_primes(1);
-  const std::vector<Vec<Rational, 3>> row(3, point(one, one, one));
-  EXPECT_EQ(valid_lanes({bezier_knots<Rational>(2), row, row}), all_lanes);
-  EXPECT_EQ(valid_lanes({KnotList<Rational>(2, {zero, one, first, one + first}), row, row}), all_lanes & ~1U);
-  std::vector<Vec<Rational, 3>> fraction = row;
-  fraction[2][1] = one / first;
-  EXPECT_EQ(valid_lanes({bezier_knots<Rational>(2), row, fraction}), all_lanes & ~1U);
-}
-
-/// The bound of bound.hpp holds the numerators of f / n^D, which divide the integers that it is about.
-template <int D>
-void expect_bound(const Net<D>& net) {
-  const std::vector<Integer> knots = integer_knots(net.u.list());
-  for (const int k : net.u.proper_pieces()) {
-    const long bits = determinant_bits<D>(net.u, knots, net.c, net.d, k);
-    BinaryForm<Rational> det = span_determinant<Rational>(net.u, net.c, net.d, k);
-    for (int i = 0; i < D; ++i) det = (Rational(1) / Rational(net.u.degree())) * det;
-    for (int i = 0; i <= det.degree(); ++i) {
-      ASSERT_LE(static_cast<long>(det[i].numerator_bits()), std::max(bits, 0L));
+TEST(Decide, NetsOfRaisedDegreeAreDevelopable) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (const Temper temper : {Temper::generic, Temper::repeated}) {
+      FractionSource<Rational> from(seed, temper);
+      const Size size{1 + static_cast<int>(seed % 3), 3};
+      const KnotList<Rational> u(size.n, from.knots(size));
+      std::vector<Vec<Rational, 4>> p;
+      for (int i = 0; i <= size.last(); ++i) p.push_back(random_point<4>(from));
+      const std::vector<Vec<Rational, 4>> q = second_row<4>(u, p, Made::by_recursion, from);
+      const auto raised = [&](const auto& row) { return elevate(Spline<Rational, Vec<Rational, 4>>(u, row)); };
+      Net<4> net{raised(p).knots, raised(p).control, raised(q).control};
+      const std::string name = "seed " + std::to_string(seed);
+      EXPECT_FALSE((find_witness_over_q<4>(net.u, net.c, net.d))) << name;
+      net.d[seed % net.d.size()][1] += text("1/1" + std::string(30, '0'));
+      expect_same<4>(net, name);
     }
   }
 }
 
-TEST(Decide, TheBoundHolds) {
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-    expect_bound<3>(random_net<3>(seed));
-    expect_bound<4>(random_net<4>(seed));
-  }
+TEST(Decide, ADeterminantThatVanishesAtAllParametersButOneIsNotZero) {
+  // With c = (t^2/2 - t, 0, 0) and d - c = (0, t^2, 2t - 2), [c', d-c, d'-c'] = -2 t (t-1) (t-2): of degree 3, and zero
+  // at the first three parameters.
+  const auto row = [](int y0, int y1, int y2, int z0, int z1, int z2) {
+    const Rational zero(0), half = Rational(-1) / Rational(2);
+    return std::vector<Vec<Rational, 3>>{point(zero, Rational(y0), Rational(z0)),
+                                         point(half, Rational(y1), Rational(z1)),
+                                         point(half, Rational(y2), Rational(z2))};
+  };
+  const Net<3> net{bezier_knots<Rational>(2), row(0, 0, 0, 0, 0, 0), row(0, 0, 1, -2, -1, 0)};
+  const auto witness = expect_same<3>(net, "cubic");
+  ASSERT_TRUE(witness);
+  EXPECT_EQ(witness->coefficient, 1);
 }
 
-TEST(Decide, TheBoundHoldsWhereEverySignAddsUp) {
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
-    Rng rng(seed);
-    const int n = 1 + static_cast<int>(rng.below(4));
-    Net<3> net{bezier_knots<Rational>(n), {}, {}};
-    for (auto* row : {&net.c, &net.d}) {
-      for (int i = 0; i <= n; ++i) {
-        const auto sign = [&] { return Rational(rng.once_in(2) ? 1 : -1); };
-        row->push_back(point(sign(), sign(), sign()));
-      }
+TEST(Decide, EveryCoefficientMayBeTheFirst) {
+  // The ruling turns with t^m from its direction at t = 0: [c', d-c, d'-c'] = m t^(m-1) for c = (t, 0, 0).
+  constexpr int n = 5;
+  for (int m = 1; m <= n; ++m) {
+    std::vector<Vec<Rational, 3>> c, d;
+    for (int i = 0; i <= n; ++i) {
+      const Rational x = Rational(i) / Rational(n);
+      const Rational power = binomial<Rational>(i, m) / binomial<Rational>(n, m);  // t^m in Bernstein form
+      c.push_back(point(x, Rational(0), Rational(0)));
+      d.push_back(point(x, Rational(1), power));
     }
-    expect_bound<3>(net);
-    expect_same<3>(net, "seed " + std::to_string(seed));
+    const auto witness = expect_same<3>({bezier_knots<Rational>(n), c, d}, std::to_string(m));
+    ASSERT_TRUE(witness);
+    EXPECT_EQ(witness->coefficient, m - 1);
   }
 }
 
@@ -337,27 +262,7 @@ TEST(RelationProver, FindsTheRelationOfTheRecursion) {
 
 TEST(Decide, RowsOfAWrongLengthAreAnError) {
   const std::vector<Vec<Rational, 3>> row(3, point(Rational(0), Rational(0), Rational(0)));
-  EXPECT_THROW((find_witness_modular<3>(bezier_knots<Rational>(1), row, row)), InvalidInput);
-}
-
-TEST(PrimeLanes, ResiduesOfIntegers) {
-  Rng rng(5);
-  const PrimeLanes& field = PrimeLanes::block(1);
-  const std::vector<Lanes> powers = field.powers(8);
-  for (int trial = 0; trial < 2000; ++trial) {
-    Integer x;
-    for (std::uint64_t limbs = rng.below(9); limbs > 0; --limbs) {
-      mpz_mul_2exp(x.get(), x.get(), 64);
-      mpz_add_ui(x.get(), x.get(), rng.once_in(3) ? ~0UL - rng.below(2) : rng());
-    }
-    if (mpz_sizeinbase(x.get(), 2) > 8 * 64) continue;
-    if (rng.once_in(2)) mpz_neg(x.get(), x.get());
-    const Lanes residues = field.integer(x.get(), powers);
-    for (std::size_t k = 0; k < prime_lanes; ++k) {
-      Lanes expected = field.word(mpz_fdiv_ui(x.get(), field.prime(k)));
-      EXPECT_EQ(residues[k], expected[k]);
-    }
-  }
+  EXPECT_THROW((find_witness_over_q<3>(bezier_knots<Rational>(1), row, row)), InvalidInput);
 }
 
 }  // namespace
