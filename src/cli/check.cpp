@@ -13,6 +13,7 @@
 #include "torse/cli/command.hpp"
 #include "torse/cli/judge.hpp"
 #include "torse/cli/report_files.hpp"
+#include "torse/cli/surface_report.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
@@ -117,8 +118,6 @@ ReportCase case_of(const CheckedFile& checked, Outcome outcome) {
   return c;
 }
 
-Json point_json(const Vec<Rational, 3>& x) { return {x[0].text(), x[1].text(), x[2].text()}; }
-
 Json surface_json(const CheckedFile& checked) {
   const Judgement& judgement = *checked.judgement;
   Json json{{"file", printable(checked.file)},
@@ -129,16 +128,8 @@ Json surface_json(const CheckedFile& checked) {
   if (judgement.classification.vertex) json["vertex"] = point_json(*judgement.classification.vertex);
   if (judgement.classification.direction) json["direction"] = point_json(*judgement.classification.direction);
   json["max_warp_deg"] = {{"lo", checked.warp().lower}, {"hi", checked.warp().upper}};
-  json["witness"] = nullptr;
-  if (judgement.witness) {
-    const KnotList<Rational>& u = checked.surface->knots;
-    const int k = judgement.witness->piece;
-    json["witness"] = {{"piece", k},
-                       {"span", {u.piece_begin(k).text(), u.piece_end(k).text()}},
-                       {"coefficient", judgement.witness->coefficient},
-                       {"value", judgement.witness->value.text()}};
-  }
-  json["singular"] = nullptr;
+  json["witness"] = judgement.witness ? witness_json(*judgement.witness, checked.surface->knots) : Json();
+  json["singular"] = judgement.developable() ? singular_json(find_singularities(*checked.surface)) : Json();
   return json;
 }
 

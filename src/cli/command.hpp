@@ -42,6 +42,7 @@ std::function<int()> define_construct(CLI::App& app);
 std::function<int()> define_example(CLI::App& app);
 std::function<int()> define_explain(CLI::App& app);
 std::function<int()> define_list(CLI::App& app);
+std::function<int()> define_recover(CLI::App& app);
 std::function<int()> define_replay(CLI::App& app);
 std::function<int()> define_verify(CLI::App& app);
 

@@ -25,6 +25,7 @@ constexpr Command commands[] = {
     {"example", "the papers' worked examples, printed beside computed values", define_example},
     {"check", "decide exactly whether ruled surfaces are developable, and their class", define_check},
     {"construct", "make a developable surface through a curve", define_construct},
+    {"recover", "Lambda, M, sigma, class, edge and singular parameters from the net alone", define_recover},
 };
 
 /// The word that the parser did not expect with the nearest one it knows.

@@ -43,7 +43,8 @@ std::optional<EdgeOfRegression<S>> edge_of(const PieceFunctions<S>& f) {
   return edge;
 }
 
-/// A Bezier patch of degree m - 1 over [begin, end] with constant Lam and M and sigma = 1 (FJ21.T6.1).
+/// A Bezier patch of degree m - 1 over [begin, end] with constant Lam and M and sigma = 1 (FJ21.T6.1). The first weight
+/// of p is 1.
 template <ExactField S>
 struct ConstantPatch {
   S lambda;
@@ -51,6 +52,20 @@ struct ConstantPatch {
   std::vector<Vec<S, 4>> p;
   std::vector<Vec<S, 4>> q;
 };
+
+namespace detail {
+
+/// The patch with all rows divided by the first weight of p.
+template <ExactField S>
+ConstantPatch<S> unit_weight(ConstantPatch<S> patch) {
+  const S weight = patch.p.front()[0];
+  for (auto* rows : {&patch.p, &patch.q}) {
+    for (Vec<S, 4>& x : *rows) divide(x, weight);
+  }
+  return patch;
+}
+
+}  // namespace detail
 
 /// The patch p = r + (M-t)/m r', q = r + (Lam-t)/m r' on the rulings of a piece, r being its reduced edge, of degree m
 /// >= 2 (FJ21.T6.1): it has the same ruling at the same t. Lam and M are those of the piece where they are constants
@@ -72,7 +87,7 @@ std::optional<ConstantPatch<S>> constant_patch(const PieceFunctions<S>& f, const
     const S m = *f.m()->constant_value();
     std::optional<std::vector<Vec<S, 4>>> p = boundary(m);
     std::optional<std::vector<Vec<S, 4>>> q = boundary(lambda);
-    if (p && q) return ConstantPatch<S>{lambda, m, *std::move(p), *std::move(q)};
+    if (p && q) return detail::unit_weight(ConstantPatch<S>{lambda, m, *std::move(p), *std::move(q)});
   }
   std::optional<ConstantPatch<S>> patch;
   S x = f.begin;
@@ -83,7 +98,7 @@ std::optional<ConstantPatch<S>> constant_patch(const PieceFunctions<S>& f, const
     if (patch) {
       patch->lambda = x;
       patch->q = *std::move(rows);
-      return patch;
+      return detail::unit_weight(*std::move(patch));
     }
     patch = ConstantPatch<S>{x, x, *std::move(rows), {}};
   }

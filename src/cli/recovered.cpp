@@ -1,0 +1,185 @@
+// JSON and words for recovered functions.
+#include "torse/cli/recovered.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "torse/cli/function_report.hpp"
+#include "torse/cli/surface_report.hpp"
+#include "torse/cli/terminal.hpp"
+#include "torse/io/file.hpp"
+#include "torse/io/text.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Piece = PieceFunctions<Rational>;
+using Edge = EdgeOfRegression<Rational>;
+using Function = RationalFunctionOfT;
+
+/// As many lines of functions as a person reads; --json has all.
+constexpr std::size_t most_lines = 12;
+
+/// Why Lam, M or sigma is missing, or none.
+std::optional<std::string> excluded_case(const Piece& f) {
+  if (f.sweep == Sweep::curve) return "c = d: no surface, no function is unique";
+  if (f.sweep == Sweep::line) return "all rulings lie on one line: no surface, no function is unique";
+  if (f.c_is_a_point()) return "c is one point: M does not exist";
+  if (f.d_is_a_point()) return "d is one point: Lambda and sigma do not exist";
+  if (f.lambda_infinite() && f.m_infinite()) {
+    return "lambda_0 + lambda_1 = 0 and mu_0 + mu_1 = 0: Lambda and M are at infinity, sigma has no value";
+  }
+  if (f.lambda_infinite()) return "lambda_0 + lambda_1 = 0: Lambda and sigma are at infinity";
+  if (f.m_infinite()) return "mu_0 + mu_1 = 0: M is at infinity, sigma is 0";
+  return std::nullopt;
+}
+
+Json polynomials_json(const std::vector<RationalPolynomial>& list) {
+  Json json = Json::array();
+  for (const RationalPolynomial& f : integer_coefficients(list)) json.push_back(coefficients_json(f));
+  return json;
+}
+
+Json edge_json(const std::optional<Edge>& edge) {
+  if (!edge) return nullptr;
+  return {{"degree", edge->degree},
+          {"v", function_json(edge->v)},
+          {"row", polynomials_json({edge->row.begin(), edge->row.end()})}};
+}
+
+Json patch_json(const RecoveredSpan& span) {
+  if (!span.edge) return nullptr;
+  const std::optional<ConstantPatch<Rational>> patch = constant_patch(span.piece, *span.edge);
+  if (!patch) return nullptr;
+  const RuledFile<Rational> surface{bezier_knots<Rational>(span.edge->degree - 1, span.piece.begin, span.piece.end),
+                                    dehomogenize<Rational, 4>(patch->p), dehomogenize<Rational, 4>(patch->q)};
+  return {{"Lambda", patch->lambda.text()},
+          {"M", patch->m.text()},
+          {"sigma", "1"},
+          {"surface", Json::parse(write_ruled(surface))}};
+}
+
+Json span_json(const RecoveredSpan& span) {
+  const Piece& f = span.piece;
+  const auto frame = f.frame();
+  const std::optional<std::string> excluded = excluded_case(f);
+  Json json{{"from", f.begin.text()},
+            {"to", f.end.text()},
+            {"Lambda", function_json(f.lambda())},
+            {"M", function_json(f.m())},
+            {"sigma", function_json(f.sigma())},
+            {"constant", f.constant()},
+            {"excluded", excluded ? Json(*excluded) : Json()},
+            {"lambda", function_json(frame ? std::optional<Function>(frame->lambda) : std::nullopt)},
+            {"mu", function_json(frame ? std::optional<Function>(frame->mu) : std::nullopt)},
+            {"nu", function_json(frame ? std::optional<Function>(frame->nu) : std::nullopt)}};
+  json["dependence"] = polynomials_json({f.alpha, f.beta, f.gamma, f.delta});
+  json["edge"] = edge_json(span.edge);
+  json["constant_patch"] = patch_json(span);
+  return json;
+}
+
+/// The edge of the whole surface; v only where all spans agree. None for a cylinder and where there is no surface.
+std::optional<Edge> common_edge(const RecoveredFile& recovered) {
+  if (recovered.judgement->classification.kind == SurfaceClass::cylinder) return std::nullopt;
+  std::optional<Edge> common;
+  for (const RecoveredSpan& span : recovered.spans) {
+    if (!span.edge) continue;
+    if (!common) {
+      common = span.edge;
+      continue;
+    }
+    common->degree = std::max(common->degree, span.edge->degree);
+    if (common->v != span.edge->v) common->v.reset();
+  }
+  return common;
+}
+
+std::string functions_text(const Piece& f) {
+  const auto shown = [](const char* name, const std::optional<Function>& function) {
+    return function ? fmt::format("  {} = {}", name, function_text(*function)) : std::string();
+  };
+  const std::optional<std::string> excluded = excluded_case(f);
+  return shown("Lambda", f.lambda()) + shown("M", f.m()) + shown("sigma", f.sigma()) +
+         (excluded ? "  (" + *excluded + ")" : "");
+}
+
+bool same_functions(const Piece& f, const Piece& g) {
+  return f.lambda() == g.lambda() && f.m() == g.m() && f.sigma() == g.sigma() && excluded_case(f) == excluded_case(g);
+}
+
+/// The functions, neighbouring spans with equal ones on one line.
+std::string spans_text(const std::vector<RecoveredSpan>& spans) {
+  std::string text;
+  std::size_t lines = 0;
+  for (std::size_t i = 0; i < spans.size();) {
+    const Piece& first = spans[i].piece;
+    std::size_t next = i + 1;
+    while (next < spans.size() && same_functions(first, spans[next].piece)) ++next;
+    if (lines++ == most_lines) return text + "  ... and further spans: --json has all\n";
+    text += fmt::format("  t in [{}, {}]:{}\n", short_number(first.begin), short_number(spans[next - 1].piece.end),
+                        functions_text(first));
+    i = next;
+  }
+  return text;
+}
+
+std::string edge_text(const RecoveredFile& recovered) {
+  const std::optional<Edge> edge = common_edge(recovered);
+  if (!edge || recovered.judgement->classification.kind == SurfaceClass::cone) return "";
+  return fmt::format("  edge of regression (1-v) p + v q of degree {}{}\n", edge->degree,
+                     edge->v ? ": v = " + function_text(*edge->v) : "");
+}
+
+}  // namespace
+
+RecoveredFile recover_file(const std::string& file) {
+  std::vector<std::string> words{"torse", "recover", file};
+  if (file.starts_with('-') && file != "-") words.insert(words.end() - 1, "--");
+  RecoveredFile result{.file = file,
+                       .name = printable(file == "-" ? file : std::filesystem::path(file).stem().string()),
+                       .replay = printable(command_line(words))};
+  try {
+    const Document document(file, read_file(file));
+    result.surface = read_ruled<Rational>(document);
+  } catch (const FileError& error) {
+    result.error = error;
+    return result;
+  }
+  result.judgement = judge(*result.surface);
+  if (!result.judgement->developable()) return result;
+  const std::vector<Piece> pieces =
+      recover_pieces<Rational>(result.surface->knots, homogeneous(result.surface->c), homogeneous(result.surface->d));
+  result.singular = find_singularities(pieces);
+  for (const Piece& piece : pieces) result.spans.push_back({piece, edge_of(piece)});
+  return result;
+}
+
+Json recovered_json(const RecoveredFile& recovered) {
+  const Judgement& judgement = *recovered.judgement;
+  Json json{{"file", printable(recovered.file)},
+            {"name", recovered.name},
+            {"developable", judgement.developable()},
+            {"class", name_of(judgement.classification.kind)}};
+  if (judgement.witness) {
+    json["witness"] = witness_json(*judgement.witness, recovered.surface->knots);
+    return json;
+  }
+  if (judgement.classification.vertex) json["vertex"] = point_json(*judgement.classification.vertex);
+  if (judgement.classification.direction) json["direction"] = point_json(*judgement.classification.direction);
+  json["spans"] = Json::array();
+  for (const RecoveredSpan& span : recovered.spans) json["spans"].push_back(span_json(span));
+  const std::optional<Edge> edge = common_edge(recovered);
+  json["edge"] = edge ? Json{{"degree", edge->degree}, {"v", function_json(edge->v)}} : Json();
+  json["singular"] = singular_json(recovered.singular);
+  return json;
+}
+
+std::string recovered_text(const RecoveredFile& recovered) {
+  return spans_text(recovered.spans) + edge_text(recovered);
+}
+
+}  // namespace torse::cli

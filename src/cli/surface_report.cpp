@@ -1,0 +1,63 @@
+// JSON and words for points, witnesses and singularities.
+#include "torse/cli/surface_report.hpp"
+
+#include <fmt/format.h>
+
+#include "torse/cli/function_report.hpp"
+#include "torse/cli/terminal.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Bound = SingularSet::Bound;
+
+Json bound_json(const Bound& bound) {
+  if (bound.root.rational()) return bound.root.lower.text();
+  return {{"lo", bound.root.lower.text()},
+          {"hi", bound.root.upper.text()},
+          {"zero_of", coefficients_json(integer_coefficients({bound.zero_of}).front())}};
+}
+
+std::string bound_text(const Bound& bound) {
+  return bound.root.rational() ? short_number(bound.root.lower)
+                               : fmt::format("about {:.6g}", bound.root.lower.to_double());
+}
+
+}  // namespace
+
+Json point_json(const Vec<Rational, 3>& x) { return {x[0].text(), x[1].text(), x[2].text()}; }
+
+Json witness_json(const DevelopabilityWitness<Rational>& witness, const KnotList<Rational>& knots) {
+  return {{"piece", witness.piece},
+          {"span", {knots.piece_begin(witness.piece).text(), knots.piece_end(witness.piece).text()}},
+          {"coefficient", witness.coefficient},
+          {"value", witness.value.text()}};
+}
+
+std::vector<SingularSet> find_singularities(const RuledFile<Rational>& surface) {
+  return torse::find_singularities(
+      recover_pieces<Rational>(surface.knots, homogeneous(surface.c), homogeneous(surface.d)));
+}
+
+Json singular_json(const std::vector<SingularSet>& sets) {
+  Json list = Json::array();
+  for (const SingularSet& set : sets) {
+    list.push_back({{"reason", name_of(set.reason)}, {"from", bound_json(set.from)}, {"to", bound_json(set.to)}});
+  }
+  return list;
+}
+
+std::string singular_text(const std::vector<SingularSet>& sets, std::size_t most) {
+  if (sets.empty()) return "regular: no singular point on the patch";
+  std::string text;
+  for (std::size_t i = 0; i < sets.size() && i < most; ++i) {
+    const SingularSet& set = sets[i];
+    const std::string where = set.point() ? bound_text(set.from) : bound_text(set.from) + " to " + bound_text(set.to);
+    text += fmt::format("{}{} ({})", i == 0 ? "singular at t = " : ", ", where, name_of(set.reason));
+  }
+  if (sets.size() > most) text += fmt::format(" and {} more", sets.size() - most);
+  return text;
+}
+
+}  // namespace torse::cli
