@@ -237,8 +237,10 @@ int main() {
       "Developable Bezier nets of degree n from FJ07.13, so that every coefficient has to be proved zero. In brackets: "
       "ratio to torse.\n");
   const double least = table(false);
-  torse::bench::goal("Goal: at least 3 times faster than interpolation in mpq_t in every case", least >= 3);
+  torse::bench::goal("Goal: at least 3 times faster than interpolation in mpq_t in every case of this table",
+                     least >= 3);
   std::puts(
-      "\nCylinders with a length of its own for each ruling: no constant relation between the rows, primes decide.\n");
+      "\nCylinders with a length of its own for each ruling: no constant relation between the rows, the determinant "
+      "decides.\n");
   std::printf("\nLeast ratio of the interpolation in mpq_t here: %.2f\n", table(true));
 }
