@@ -120,6 +120,8 @@ struct ClaimList {
 template <class S>
 std::vector<ClaimCase<S>> fj07_cases();
 template <class S>
+std::vector<ClaimCase<S>> zw06_cases();
+template <class S>
 std::vector<ClaimCase<S>> fj21_cases();
 
 /// All claims over S in ledger order.
@@ -127,6 +129,7 @@ template <class S>
 const std::vector<ClaimCase<S>>& claim_cases() {
   static const std::vector<ClaimCase<S>> all = [] {
     std::vector<ClaimCase<S>> cases = fj07_cases<S>();
+    for (ClaimCase<S>& entry : zw06_cases<S>()) cases.push_back(std::move(entry));
     for (ClaimCase<S>& entry : fj21_cases<S>()) cases.push_back(std::move(entry));
     return cases;
   }();

@@ -1,0 +1,14 @@
+#include "torse/exact/bigfloat/bigfloat.hpp"
+#include "torse/proofs/claims/zw06/list.hpp"
+#include "torse/proofs/models.hpp"
+
+namespace torse::proofs {
+
+template <class S>
+std::vector<ClaimCase<S>> zw06_cases() {
+  return zw06::Claims::cases<S>();
+}
+
+template std::vector<ClaimCase<BigFloat<113>>> zw06_cases<BigFloat<113>>();
+
+}  // namespace torse::proofs

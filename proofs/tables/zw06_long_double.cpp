@@ -1,0 +1,14 @@
+#include "torse/proofs/claims/zw06/list.hpp"
+#include "torse/proofs/models.hpp"
+#include "torse/scalar/builtin.hpp"
+
+namespace torse::proofs {
+
+template <class S>
+std::vector<ClaimCase<S>> zw06_cases() {
+  return zw06::Claims::cases<S>();
+}
+
+template std::vector<ClaimCase<long double>> zw06_cases<long double>();
+
+}  // namespace torse::proofs

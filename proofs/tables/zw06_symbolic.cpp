@@ -1,0 +1,13 @@
+#include "torse/proofs/claims/zw06/list.hpp"
+#include "torse/proofs/models.hpp"
+
+namespace torse::proofs {
+
+template <class S>
+std::vector<ClaimCase<S>> zw06_cases() {
+  return zw06::Claims::cases<S>();
+}
+
+template std::vector<ClaimCase<RationalFunction>> zw06_cases<RationalFunction>();
+
+}  // namespace torse::proofs
