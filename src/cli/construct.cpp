@@ -30,7 +30,6 @@ std::vector<std::string> method_names() {
 }
 
 void require_method(const std::string& method) {
-  if (method == "directrix") throw UsageError("the method directrix is not in this version");
   for (const std::string& name : method_names()) {
     if (name == method) return;
   }

@@ -86,6 +86,7 @@ Construction construct_surface(const ConstructFile<Q>& input, int branch) {
   if (input.method == "cone") return cone(input);
   if (input.method == "tangent") return tangent(input);
   if (input.method == "interpolate") return interpolate(input, branch);
+  if (input.method == "directrix") return directrix(input);
   return linear(input, *input.lambda, *input.m, one, one);
 }
 

@@ -31,4 +31,9 @@ Construction construct_surface(const ConstructFile<Rational>& input, int branch)
 /// Parallel directions give a cylinder, meeting end rulings a cone (Lambda is its ratio), skew ones a branch M_0 each.
 Construction interpolate(const ConstructFile<Rational>& input, int branch);
 
+/// ZW06: the rulings tau of the Bezier curve c with a' = a tau + b tau'. One solution is written; of a family the one
+/// that d0 or v picks (InvalidInput naming "a" says what may be picked if neither does); none is NoSolution with the
+/// combination of the equations that contradicts itself.
+Construction directrix(const ConstructFile<Rational>& input);
+
 }  // namespace torse::cli

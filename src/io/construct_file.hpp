@@ -33,6 +33,7 @@ inline const std::vector<MethodKeys>& method_keys() {
       {"cone", {"Lambda", "d0"}, {"knots"}, true},
       {"tangent", {}, {"knots"}, false},
       {"interpolate", {"va", "vb", "Lambda"}, {"knots"}, false},
+      {"directrix", {"a", "b"}, {"d0", "v"}, false},
   };
   return methods;
 }
@@ -50,6 +51,9 @@ struct ConstructFile {
   std::optional<Vec<S, 3>> d0{};
   std::optional<Vec<S, 3>> va{};
   std::optional<Vec<S, 3>> vb{};
+  std::vector<S> a{};
+  std::vector<S> b{};
+  std::optional<Vec<S, 3>> v{};
 };
 
 namespace detail {
@@ -71,6 +75,18 @@ template <ExactField S>
 std::optional<Vec<S, 3>> read_optional_point(const Value& root, std::string_view key) {
   const std::optional<Value> value = root.find(key);
   return value ? std::optional<Vec<S, 3>>(read_point<S>(*value)) : std::nullopt;
+}
+
+/// Bernstein coefficients of a polynomial; none where the key is absent.
+template <ExactField S>
+std::vector<S> read_polynomial(const Value& root, std::string_view key) {
+  const std::optional<Value> value = root.find(key);
+  if (!value) return {};
+  const std::size_t count = value->items().size();
+  if (count < 1 || count > static_cast<std::size_t>(limits::degree) + 1) {
+    value->expected("1 to " + std::to_string(limits::degree + 1) + " Bernstein coefficients");
+  }
+  return read_numbers<S>(*value);
 }
 
 inline const MethodKeys& find_method(const Value& method) {
@@ -113,7 +129,10 @@ ConstructFile<S> read_construct(const Document& document) {
           .omega0 = detail::read_nonzero<S>(root, "omega0"),
           .d0 = detail::read_optional_point<S>(root, "d0"),
           .va = detail::read_optional_point<S>(root, "va"),
-          .vb = detail::read_optional_point<S>(root, "vb")};
+          .vb = detail::read_optional_point<S>(root, "vb"),
+          .a = detail::read_polynomial<S>(root, "a"),
+          .b = detail::read_polynomial<S>(root, "b"),
+          .v = detail::read_optional_point<S>(root, "v")};
 }
 
 }  // namespace torse

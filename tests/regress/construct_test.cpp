@@ -176,6 +176,69 @@ TEST_F(Construct, WrongInputsAreNamedAndLeaveNoFile) {
       ": knots (line 1");
 }
 
+const json cubic = json::parse("[[0,0,0],[1,3,6],[2,-1,1],[5,2,2]]");
+
+json directrix_of(const json& a, const json& b, const json& more = {}) {
+  json members{{"degree", 3}, {"c", {{"points", cubic}}}, {"a", a}, {"b", b}};
+  if (!more.is_null()) members.update(more);
+  return input_of("directrix", members);
+}
+
+// a = 2, b = u (ZW06.16): the edge of regression is the curve of the running means (c_0 + ... + c_i)/(i+1).
+TEST_F(Construct, DirectrixWithOneSolution) {
+  const ProgramResult result = run(directrix_of({"2"}, {0, 1}));
+  ASSERT_EQ(result.exit, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("one solution"));
+  EXPECT_THAT(result.out, HasSubstr("edge of regression c - b tau, of degree 4"));
+  EXPECT_EQ(net()["c"]["points"].size(), 4U);
+  // tau = m' with m = (0,0,0), (1/2,3/2,3), (1,2/3,7/3), (2,1,9/4): 3 (m_1 - m_0) and 3 (m_3 - m_2) at the ends.
+  EXPECT_EQ(net()["d"]["points"][0], json({"3/2", "9/2", "9"}));
+  EXPECT_EQ(net()["d"]["points"][3], json({"8", "3", "7/4"}));
+  EXPECT_EQ(checked()["class"], "tangent");
+}
+
+TEST_F(Construct, DirectrixWithAConeSaysItsVertex) {
+  const ProgramResult result = run(directrix_of({1, 1}, {"0", "1/2", 1}));  // a = b' = 1, b = u: vertex c_0
+  ASSERT_EQ(result.exit, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("a = b': a cone with vertex (0, 0, 0)"));
+  EXPECT_EQ(checked()["vertex"], json({"0", "0", "0"}));
+}
+
+// a + 3 b' = 0 (ZW06.20 with rho = 2, sigma = 1/2): kappa = (1 - u/2)^3.
+TEST_F(Construct, DirectrixWithAFamily) {
+  const json a{"3/2"};
+  const json b{1, "1/2"};
+  expect_refused(directrix_of(a, b), "kappa with the Bernstein coefficients [1, 1/2, 1/4, 1/8]");
+  expect_refused(directrix_of(a, b, {{"d0", {1, 2, 3}}, {"v", {1, 2, 3}}}), ": v (line 1");
+  for (const char* key : {"d0", "v"}) {  // c_0 = 0, so that both mean the same
+    ASSERT_EQ(run(directrix_of(a, b, {{key, {1, 2, 3}}})).exit, 0);
+    // d_{i+1} = 2 c_{i+1} - c_i + (d_i - c_i) / 2
+    EXPECT_EQ(net()["d"]["points"][0], json({"1", "2", "3"}));
+    EXPECT_EQ(net()["d"]["points"][1], json({"5/2", "7", "27/2"}));
+    EXPECT_EQ(net()["d"]["points"][2], json({"15/4", "-3", "-1/4"}));
+  }
+}
+
+TEST_F(Construct, DirectrixWhoseFamilyKeepsTheFirstRuling) {
+  // a = -1, b = u needs c''(0) = 0; kappa = u.
+  const json c{{"points", json::parse("[[1,1,1],[2,2,3],[3,3,5],[7,0,1]]")}};
+  const json more{{"c", c}};
+  expect_refused(directrix_of({-1}, {0, 1}, {{"c", c}, {"d0", {5, 5, 5}}}), ": d0 (line 1");
+  expect_refused(directrix_of({-1}, {0, 1}, more), "expected \"v\", found neither");
+  ASSERT_EQ(run(directrix_of({-1}, {0, 1}, {{"c", c}, {"v", {6, 0, -3}}})).exit, 0);
+  EXPECT_EQ(net()["d"]["points"][0], json({"-2", "-2", "-5"}));  // c_0 - c'(0)
+  EXPECT_TRUE(checked()["developable"]);
+}
+
+TEST_F(Construct, DirectrixWithoutSolutionOrChoice) {
+  expect_refused(directrix_of({1, 4}, {1, 0, 3}), "add up to 0 = (", 1);
+  expect_refused(directrix_of({-1}, {0, 1}), "no rulings: equation j compares the coefficients of B_j of degree 3", 1);
+  expect_refused(directrix_of({2}, {0, 1}, {{"d0", {1, 2, 3}}}), "there is nothing to choose");
+  expect_refused(directrix_of({0, 0}, {0}), ": a (line 1");
+  expect_refused(directrix_of(json::array(), {1}), "expected 1 to 101 Bernstein coefficients");
+  expect_refused(directrix_of({1}, {1}, {{"knots", {0, 0, 0, 1, 1, 1}}}), "found \"knots\"");
+}
+
 TEST_F(Construct, NoBranchIsNoSolution) {
   // The only root of the polynomial of this curve is the knot 1, since c_0 c_1 is in the plane of the end directions.
   expect_refused(input_of("interpolate", {{"va", {1, 0, 2}}, {"vb", {0, 1, -1}}, {"Lambda", 2}}), "no branch", 1);
@@ -188,7 +251,7 @@ TEST_F(Construct, MethodsAgreeWithTheFile) {
   const ProgramResult typo = run_program({"construct", "tangnet", in, "-o", output()});
   EXPECT_EQ(typo.exit, 2);
   EXPECT_THAT(typo.err, HasSubstr("did you mean tangent?"));
-  EXPECT_EQ(run_program({"construct", "directrix", in, "-o", output()}).exit, 2);
+  EXPECT_EQ(run_program({"construct", "directrix", in, "-o", output()}).exit, 2);  // the file's method is another
   EXPECT_EQ(run_program({"construct", "tangent", in}).exit, 2);
   EXPECT_FALSE(written());
 }
