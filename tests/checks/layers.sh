@@ -1,7 +1,7 @@
 #!/bin/sh
 # layers.sh ROOT: every #include under src, exact, proofs and fuzz obeys the layers. Prints each violation; exit 1 if any.
 #   a lower layer never includes a higher one; exact knows scalar and algebra only; nobody but cli includes cli
-#   exact/decide is a layer of its own, above developable and the rest of exact
+#   exact/decide and exact/warp are a layer of their own, above developable and the rest of exact
 #   our own headers have one spelling, "torse/<layer>/..."; everything in quotes is ours
 #   src without cli uses the standard library and Eigen (io: nlohmann too), so no GMP, MPFR, FLINT, Arb or Boost
 set -eu
@@ -29,7 +29,7 @@ function check(layer, name, own,   part) {
   if (!own && name ~ /^torse\//) { wrong("<" name ">: our headers are in quotes"); return }
   if (own) {
     split(name, part, "/")
-    if (name ~ /^torse\/exact\/decide\//) part[2] = "decide"
+    if (name ~ /^torse\/exact\/(decide|warp)\//) part[2] = "decide"
     if (index(" " may[layer] " ", " " part[2] " ") == 0) wrong(layer " may not include " name)
   } else if (where ~ /^src\// && layer != "cli" && name !~ /^[a-z_0-9]+$/ && name !~ /^Eigen\// && !(layer == "io" && name ~ /^nlohmann\//)) {
     wrong("<" name "> is not for src/" layer ": the standard library and Eigen only")
@@ -39,7 +39,7 @@ function check(layer, name, own,   part) {
   file = where = $0
   layer = where
   sub(/^src\//, "", layer)
-  sub(/^exact\/decide\//, "decide/", layer)
+  sub(/^exact\/(decide|warp)\//, "decide/", layer)
   sub(/\/.*/, "", layer)
   if (!(layer in may)) { row = 1; wrong("no such layer: " layer); next }
   ++files

@@ -1,0 +1,84 @@
+// Greatest common divisors through FLINT, in the parameter x = t / s: the divisors s^k of the forms are the degrees
+// that the polynomials in x lack.
+#include "torse/exact/warp/common_factor.hpp"
+
+#include <gmp.h>
+
+#include <flint/fmpq.h>
+#include <flint/fmpq_poly.h>
+
+#include <algorithm>
+
+namespace torse {
+namespace {
+
+/// A polynomial over Q.
+class Polynomial {
+ public:
+  Polynomial() { fmpq_poly_init(f_); }
+  explicit Polynomial(const BinaryForm<Rational>& form) : Polynomial() {
+    fmpq_t x;
+    fmpq_init(x);
+    for (int i = 0; i <= form.degree(); ++i) {
+      fmpq_set_mpq(x, form[i].mpq());
+      fmpq_poly_set_coeff_fmpq(f_, i, x);
+    }
+    fmpq_clear(x);
+  }
+  Polynomial(const Polynomial&) = delete;
+  Polynomial& operator=(const Polynomial&) = delete;
+  ~Polynomial() { fmpq_poly_clear(f_); }
+
+  fmpq_poly_struct* get() { return f_; }
+  /// -1 for zero.
+  int degree() const { return static_cast<int>(fmpq_poly_degree(f_)); }
+
+  /// The coefficients of 1, x, ..., x^degree, zeros beyond the polynomial's own.
+  std::vector<Rational> coefficients(int degree) const {
+    std::vector<Rational> list;
+    fmpq_t x;
+    mpq_t m;
+    fmpq_init(x);
+    mpq_init(m);
+    for (int i = 0; i <= degree; ++i) {
+      fmpq_poly_get_coeff_fmpq(x, f_, i);
+      fmpq_get_mpq(m, x);
+      list.push_back(Rational::from_mpq(m));
+    }
+    mpq_clear(m);
+    fmpq_clear(x);
+    return list;
+  }
+
+ private:
+  fmpq_poly_t f_;
+};
+
+}  // namespace
+
+VectorWithZeros without_common_zeros(const FormVector<Rational>& v) {
+  constexpr int root_bits = 40;
+  const int degree = v[0].degree();
+  std::array<Polynomial, 3> f{Polynomial(v[0]), Polynomial(v[1]), Polynomial(v[2])};
+  const int most = std::max({f[0].degree(), f[1].degree(), f[2].degree()});
+  if (most < 0) throw InvalidInput("vector", "expected a vector that is not identically zero");
+  Polynomial common;
+  for (Polynomial& component : f) fmpq_poly_gcd(common.get(), common.get(), component.get());
+
+  VectorWithZeros result;
+  for (std::size_t j = 0; j < 3; ++j) {
+    Polynomial rest;
+    fmpq_poly_div(rest.get(), f[j].get(), common.get());
+    result.direction[j] = BinaryForm<Rational>(rest.coefficients(most - common.degree()));
+  }
+  if (common.degree() > 0) {
+    for (const RealRoot& x : real_roots(common.coefficients(common.degree()), root_bits)) {
+      const auto parameter = [](const Rational& r) { return r / (Rational(1) + r); };
+      if (x.lower.sign() >= 0) result.zeros.push_back({parameter(x.lower), parameter(x.upper)});
+    }
+  }
+  if (most < degree) result.zeros.push_back({Rational(1), Rational(1)});
+  return result;
+}
+
+}  // namespace torse

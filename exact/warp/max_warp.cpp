@@ -1,0 +1,309 @@
+// The three stages: doubles for all pieces, balls for those left open, exact rationals for the rest.
+#include "torse/exact/warp/max_warp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "torse/developable/warp.hpp"
+#include "torse/exact/warp/common_factor.hpp"
+#include "torse/exact/warp/rounded_net.hpp"
+#include "torse/exact/warp/search.hpp"
+
+namespace torse {
+namespace {
+
+constexpr int ball_bits = 256;
+using WarpBall = Ball<ball_bits>;
+
+/// A surface over S.
+template <class S, int D>
+struct Surface {
+  KnotList<S> knots;
+  std::vector<Vec<S, D>> c;
+  std::vector<Vec<S, D>> d;
+};
+
+/// The same surface over T.
+template <class T, class S, int D, class Convert>
+Surface<T, D> converted(const KnotList<S>& u, std::span<const Vec<S, D>> c, std::span<const Vec<S, D>> d,
+                        Convert convert) {
+  const auto row = [&](std::span<const Vec<S, D>> from) {
+    std::vector<Vec<T, D>> to;
+    for (const Vec<S, D>& x : from) {
+      Vec<T, D> y;
+      for (int j = 0; j < D; ++j) y[j] = convert(x[j]);
+      to.push_back(std::move(y));
+    }
+    return to;
+  };
+  std::vector<T> knots;
+  for (const S& x : u.list()) knots.push_back(convert(x));
+  return {KnotList<T>(u.degree(), std::move(knots)), row(c), row(d)};
+}
+
+template <class S, int D>
+SineForms<S> sine_forms_of(const Surface<S, D>& surface, int k) {
+  return sine_forms(ruling_forms<S>(surface.knots, surface.c, surface.d, k));
+}
+
+template <class S>
+BernsteinQuotient<S> quotient_of(const SineForms<S>& forms) {
+  return {Bernstein<S>::from_form(forms.numerator), Bernstein<S>::from_form(forms.denominator)};
+}
+
+/// Whether N <= limit D on [0, 1], by the signs of the difference between its roots. It settles limits that are
+/// attained.
+bool nowhere_above(const SineForms<Rational>& forms, const Rational& limit) {
+  const BinaryForm<Rational> gap = limit * forms.denominator - forms.numerator;
+  if (definitely(gap.zero())) return true;
+  constexpr int root_bits = 20;
+  std::vector<Rational> coefficients(static_cast<std::size_t>(gap.degree()) + 1);
+  for (int i = 0; i <= gap.degree(); ++i) coefficients[static_cast<std::size_t>(i)] = gap[i];
+  // In x = t / s of [0, infinity]: one test point before, between and after the roots.
+  std::vector<Rational> tests;
+  Rational from(0);
+  for (const RealRoot& root : real_roots(coefficients, root_bits)) {
+    if (root.upper.sign() <= 0) continue;
+    tests.push_back((from + root.lower) / Rational(2));
+    from = root.upper;
+  }
+  tests.push_back(from + Rational(1));
+  return std::ranges::all_of(tests, [&](const Rational& x) { return gap(Rational(1), x).sign() >= 0; });
+}
+
+/// The largest power of 4 by which the quotients stay near 1 at most: 0 unless they are so small that sin^2 underflows.
+long scale_for(const std::vector<SineForms<Rational>>& forms) {
+  constexpr long near_underflow = -800;
+  const auto log2 = [](const BinaryForm<Rational>& f) {
+    long most = std::numeric_limits<long>::min();
+    for (int i = 0; i <= f.degree(); ++i) {
+      if (f[i].sign() != 0) {
+        most = std::max(most, static_cast<long>(f[i].numerator_bits()) - static_cast<long>(f[i].denominator_bits()));
+      }
+    }
+    return most;
+  };
+  long most = std::numeric_limits<long>::min();
+  for (const SineForms<Rational>& f : forms) {
+    if (!definitely(f.numerator.zero())) most = std::max(most, log2(f.numerator) - log2(f.denominator));
+  }
+  return most > near_underflow || most == std::numeric_limits<long>::min() ? 0 : -most / 2;
+}
+
+/// One run through the stages.
+template <class S, int D>
+class WarpRun {
+ public:
+  WarpRun(const KnotList<S>& u, std::span<const Vec<S, D>> c, std::span<const Vec<S, D>> d, const WarpOptions& options,
+          std::optional<Angle> limit)
+      : u_(u), c_(c), d_(d), options_(options), limit_(std::move(limit)) {
+    const std::size_t expected = static_cast<std::size_t>(u.last()) + 1;
+    if (c.size() != expected || d.size() != expected) {
+      throw InvalidInput("points", "expected " + std::to_string(expected) + " control points in each row");
+    }
+    if (!(options.tolerance >= 1e-9 && options.tolerance <= 1)) {
+      throw InvalidInput("tolerance", "expected a number between 1e-9 and 1");
+    }
+    goal_.tolerance = options.tolerance;
+  }
+
+  void run() {
+    set_scale(0);
+    std::vector<int> open = rounded_stage(u_.proper_pieces());
+    if (!done(open)) open = ball_stage(open);
+    if (!done(open)) open = exact_stage(open);
+    if (!open.empty()) {
+      record_.complete = false;
+      record_.upper = detail::infinity;
+    }
+  }
+
+  /// The answer to the limit.
+  Truth within_limit() const {
+    if (exceeded()) return Truth::no;
+    return record_.complete && record_.upper <= goal_.limit->lower() ? Truth::yes : Truth::unknown;
+  }
+
+  WarpEnclosure enclosure() {
+    WarpEnclosure result;
+    const Interval degrees = degrees_of(record_.lower, record_.upper, record_.scale);
+    result.lower = degrees.lower();
+    result.upper = degrees.upper();
+    result.piece = record_.piece;
+    if (record_.piece > 0) result.parameter = parameter(record_.piece, Rational::from_double(record_.position));
+    result.exclusions = std::move(exclusions_);
+    result.stage = stage_;
+    result.intervals = record_.intervals;
+    result.complete = record_.complete;
+    return result;
+  }
+
+ private:
+  static Rational exact(const S& x) {
+    if constexpr (std::is_same_v<S, double>) {
+      return Rational::from_double(x);
+    } else {
+      return x;
+    }
+  }
+
+  Rational parameter(int k, const Rational& t) const {
+    const Rational begin = exact(u_.piece_begin(k));
+    return begin + t * (exact(u_.piece_end(k)) - begin);
+  }
+
+  void set_scale(long scale) {
+    record_.scale = scale;
+    if (limit_) goal_.limit = sine_squared_at_most_90(*limit_, scale);
+  }
+
+  bool exceeded() const { return goal_.limit && record_.lower > goal_.limit->upper(); }
+  bool done(const std::vector<int>& open) const { return open.empty() || exceeded() || !record_.complete; }
+
+  /// The number of sub-intervals where each costs `factor` times as much as in doubles; the cost grows with the square
+  /// of the degree of the quotient.
+  long budget(double factor) const {
+    const int degree = D == 3 ? 8 * u_.degree() - 4 : 16 * u_.degree() - 8;
+    const double size = std::max(1.0, (degree + 1) / 21.0);
+    return std::max(1L, static_cast<long>(static_cast<double>(options_.intervals) / (factor * size * size)));
+  }
+
+  template <class Q>
+  std::vector<int> settle(std::vector<WarpPiece<Q>>& pieces, long budget) {
+    std::vector<int> open;
+    for (const std::size_t i : search(pieces, goal_, budget, record_)) open.push_back(pieces[i].piece);
+    return open;
+  }
+
+  std::vector<int> rounded_stage(const std::vector<int>& pieces) {
+    const std::optional<RoundedNet<D>> net = rounded_net(u_, c_, d_);
+    if (!net) return pieces;
+    std::vector<int> open;
+    std::vector<WarpPiece<RoundedQuotient>> quotients;
+    quotients.reserve(pieces.size());
+    for (const int k : pieces) {
+      if (std::optional<RoundedQuotient> quotient = rounded_quotient(*net, k)) {
+        quotients.push_back({k, *std::move(quotient)});
+      } else {
+        open.push_back(k);
+      }
+    }
+    const std::vector<int> rest = settle(quotients, budget(1));
+    open.insert(open.end(), rest.begin(), rest.end());
+    return open;
+  }
+
+  std::vector<int> ball_stage(const std::vector<int>& pieces) {
+    stage_ = WarpStage::balls;
+    surface_ = converted<Rational, S, D>(u_, c_, d_, exact);
+    const Surface<WarpBall, D> surface = converted<WarpBall, Rational, D>(
+        surface_->knots, surface_->c, surface_->d, [](const Rational& x) { return WarpBall::rational(x.text()); });
+    std::vector<WarpPiece<BernsteinQuotient<WarpBall>>> quotients;
+    for (const int k : pieces) quotients.push_back({k, quotient_of(sine_forms_of(surface, k))});
+    return settle(quotients, budget(300));
+  }
+
+  std::vector<int> exact_stage(const std::vector<int>& pieces) {
+    stage_ = WarpStage::exact;
+    std::vector<int> curved;
+    std::vector<SineForms<Rational>> forms;
+    for (const int k : pieces) {
+      const RulingForms<Rational> ruling = ruling_forms<Rational>(surface_->knots, surface_->c, surface_->d, k);
+      if (definitely(form_dot(form_cross(ruling.a, ruling.b), ruling.w).zero())) continue;
+      const auto [first, second] = normal_forms(ruling);
+      const VectorWithZeros m = without_common_zeros(first);
+      const VectorWithZeros n = without_common_zeros(second);
+      for (const auto* zeros : {&m.zeros, &n.zeros}) {
+        for (const RealRoot& t : *zeros) exclusions_.push_back({k, parameter(k, t.lower), parameter(k, t.upper)});
+      }
+      forms.push_back(sine_forms(m.direction, n.direction));
+      curved.push_back(k);
+    }
+    return settle_exactly(curved, forms);
+  }
+
+  std::vector<int> settle_exactly(const std::vector<int>& pieces, const std::vector<SineForms<Rational>>& forms) {
+    if (record_.lower == 0 && record_.upper < 0x1p-800) set_scale(scale_for(forms));
+    const Rational factor = power_of_four(record_.scale);
+    std::vector<WarpPiece<BernsteinQuotient<Rational>>> quotients;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      quotients.push_back(
+          {pieces[i], quotient_of(SineForms<Rational>{factor * forms[i].numerator, forms[i].denominator})});
+    }
+    const std::vector<std::size_t> tangent = search(quotients, goal_, budget(3000), record_);
+    std::vector<int> open;
+    for (const std::size_t i : tangent) {
+      if (!attains_limit_only(forms[i])) open.push_back(pieces[i]);
+    }
+    return open;
+  }
+
+  /// Whether the limit is a rational number that a piece may attain but does not exceed.
+  bool attains_limit_only(const SineForms<Rational>& forms) const {
+    const std::optional<Rational> value = limit_ ? exact_sine_squared(*limit_) : std::nullopt;
+    return value && nowhere_above(forms, *value);
+  }
+
+  static Rational power_of_four(long exponent) {
+    Rational power(1);
+    const Rational base = exponent < 0 ? Rational(1) / Rational(4) : Rational(4);
+    for (long i = 0; i < std::abs(exponent); ++i) power *= base;
+    return power;
+  }
+
+  const KnotList<S>& u_;
+  std::span<const Vec<S, D>> c_;
+  std::span<const Vec<S, D>> d_;
+  WarpOptions options_;
+  std::optional<Angle> limit_;
+  WarpGoal goal_;
+  WarpRecord record_;
+  WarpStage stage_ = WarpStage::rounded;
+  std::optional<Surface<Rational, D>> surface_;
+  std::vector<WarpExclusion> exclusions_;
+};
+
+}  // namespace
+
+std::string_view name_of(WarpStage stage) {
+  return stage == WarpStage::rounded ? "double" : stage == WarpStage::balls ? "balls" : "exact";
+}
+
+template <class S, int D>
+WarpEnclosure max_warp(const KnotList<S>& u, std::span<const Vec<S, D>> c, std::span<const Vec<S, D>> d,
+                       const WarpOptions& options) {
+  WarpRun<S, D> run(u, c, d, options, std::nullopt);
+  run.run();
+  return run.enclosure();
+}
+
+template <class S, int D>
+Truth warp_at_most(const KnotList<S>& u, std::span<const Vec<S, D>> c, std::span<const Vec<S, D>> d, const Angle& angle,
+                   const WarpOptions& options) {
+  WarpRun<S, D> run(u, c, d, options, angle);
+  run.run();
+  return run.within_limit();
+}
+
+template WarpEnclosure max_warp<Rational, 3>(const KnotList<Rational>&, std::span<const Vec<Rational, 3>>,
+                                             std::span<const Vec<Rational, 3>>, const WarpOptions&);
+template WarpEnclosure max_warp<Rational, 4>(const KnotList<Rational>&, std::span<const Vec<Rational, 4>>,
+                                             std::span<const Vec<Rational, 4>>, const WarpOptions&);
+template WarpEnclosure max_warp<double, 3>(const KnotList<double>&, std::span<const Vec<double, 3>>,
+                                           std::span<const Vec<double, 3>>, const WarpOptions&);
+template WarpEnclosure max_warp<double, 4>(const KnotList<double>&, std::span<const Vec<double, 4>>,
+                                           std::span<const Vec<double, 4>>, const WarpOptions&);
+template Truth warp_at_most<Rational, 3>(const KnotList<Rational>&, std::span<const Vec<Rational, 3>>,
+                                         std::span<const Vec<Rational, 3>>, const Angle&, const WarpOptions&);
+template Truth warp_at_most<Rational, 4>(const KnotList<Rational>&, std::span<const Vec<Rational, 4>>,
+                                         std::span<const Vec<Rational, 4>>, const Angle&, const WarpOptions&);
+template Truth warp_at_most<double, 3>(const KnotList<double>&, std::span<const Vec<double, 3>>,
+                                       std::span<const Vec<double, 3>>, const Angle&, const WarpOptions&);
+template Truth warp_at_most<double, 4>(const KnotList<double>&, std::span<const Vec<double, 4>>,
+                                       std::span<const Vec<double, 4>>, const Angle&, const WarpOptions&);
+
+}  // namespace torse
