@@ -106,7 +106,7 @@ DirectrixSolution<S, P> solve_directrix(std::span<const P> c, const DirectrixEqu
   const std::vector<Form<S>> left = directrix_rows(n, equation);
   const std::vector<P> right = directrix_right_sides<S, P>(c, comparison_degree(n, equation));
   PointSystem<S, P> system(n + 1);
-  for (std::size_t j = 0; j < left.size(); ++j) system.insert(left[j], right[j]);
+  for (std::size_t j = 0; j < left.size() && !system.contradiction(); ++j) system.insert(left[j], right[j]);
   if (system.contradiction()) return {.contradiction = system.contradiction()};
   DirectrixSolution<S, P> solution{.tau = system.solution()};
   for (std::vector<S>& kappa : system.kernel()) solution.family = Bernstein<S>(std::move(kappa));

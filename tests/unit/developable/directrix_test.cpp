@@ -6,6 +6,7 @@
 #include "nets.hpp"
 #include "torse/developable/classify.hpp"
 #include "torse/developable/directrix_nets.hpp"
+#include "torse/developable/linear_net.hpp"
 #include "torse/developable/special.hpp"
 
 namespace torse::test {
@@ -202,6 +203,11 @@ TEST(DirectrixNets, AreTheSolutionsOfTheirEquations) {
     for (int i = 0; i <= n; ++i) add_scaled(tau[static_cast<std::size_t>(i)], (*family.family)[i], v);
     EXPECT_EQ(d, second_row(c, tau));
   }
+  // Aumann's surfaces are those of FJ07.12 with M = 1/(1-s), Lam = rho M.
+  const std::vector<Point3> c = points(4);
+  const Q m = ratio<Q>(3, 2);
+  EXPECT_EQ((aumann_net<Q, Point3>(c, Q(5), ratio<Q>(1, 3), point(4, -7, 1))),
+            (linear_net<Q, Point3>(bezier_knots<Q>(3), c, Q(5) * m, m, point(4, -7, 1))));
   EXPECT_EQ(place_of([&] { return start_cone_net<Q, Point3>(points(3), Q(0)); }), "s");
   EXPECT_EQ(place_of([&] { return aumann_equation<Q>(3, Q(1), Q(2)); }), "rho");
 }

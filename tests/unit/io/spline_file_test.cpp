@@ -174,12 +174,22 @@ TEST(ConstructFile, EachMethodHasItsOwnKeys) {
             "sigma: expected one of the keys torse, type, method, degree, c, Lambda, M, d0, knots, found \"sigma\"");
   EXPECT_EQ(construct_error("\"rational\"", "\"spline\""),
             "method: expected one of the methods bspline, bezier, rational, cylinder, cone, tangent, interpolate, "
-            "found \"spline\"");
+            "directrix, found \"spline\"");
   EXPECT_EQ(construct_error("\"rational\"", "7"), "method: expected a string, found 7");
   const std::string tangent =
       R"({"torse": 1, "type": "construct", "method": "tangent", "degree": 1, "c": {"points": [[1, 2, 3], [4, 5, 6]], "weights": [1, 2]}})";
   EXPECT_EQ(error_of(tangent, [](const Document& document) { read_construct<Q>(document); }),
             "c.weights: expected weights 1 for the method tangent, found others");
+}
+
+TEST(ConstructFile, ReadsPolynomials) {
+  const std::string text =
+      R"({"torse": 1, "type": "construct", "method": "directrix", "degree": 1, "c": {"points": [[1, 2, 3], [4, 5, 6]]}, "a": [1, "2/3"], "b": [7], "v": [1, 0, 2]})";
+  const ConstructFile<Q> input = read_construct<Q>(Document("f", text));
+  EXPECT_EQ(input.a, (std::vector<Q>{q("1"), q("2/3")}));
+  EXPECT_EQ(input.b, std::vector<Q>{q("7")});
+  EXPECT_EQ((*input.v)[2], q("2"));
+  EXPECT_FALSE(input.d0.has_value());
 }
 
 }  // namespace
