@@ -17,11 +17,23 @@ using Bound = SingularSet::Bound;
 /// The relative width of the interval around an irrational parameter.
 constexpr int parameter_bits = 64;
 
-/// A polynomial with its square-free part, which changes its sign at every root.
+/// Whether the Bernstein coefficients over [a, b] are all positive or all negative: by Descartes' rule there is no
+/// root.
+bool surely_rootless(const Poly& f, const Q& a, const Q& b) {
+  if (f.zero()) return false;
+  const std::vector<Vec<Q, 1>> coefficients = bezier_rows(std::array<Poly, 1>{f}, f.degree(), a, b);
+  const int sign = coefficients.front()[0].sign();
+  return sign != 0 && std::ranges::all_of(coefficients, [&](const Vec<Q, 1>& x) { return x[0].sign() == sign; });
+}
+
+/// A polynomial by its square-free part, which changes its sign at every root; 1 where it has no root on the piece.
 struct Factor {
   Poly simple;
 
-  explicit Factor(const Poly& f) : simple(f.zero() ? Poly() : square_free_part(f)) {}
+  Factor(const Poly& f, const Q& a, const Q& b)
+      : simple(f.zero()                   ? Poly()
+               : surely_rootless(f, a, b) ? Poly(1)
+                                          : square_free_part(f)) {}
 
   /// Whether a root of a multiple of this polynomial, isolated for that multiple, is a root of this polynomial.
   bool vanishes(const RealRoot& root) const {
@@ -33,18 +45,17 @@ struct Factor {
 /// One piece: the parameters where anything happens, its ends included, and what happens there.
 class PieceEvents {
  public:
-  explicit PieceEvents(const PieceFunctions<Q>& f)
-      : zeros_{Factor(f.beta),
-               Factor(f.delta),
-               Factor(f.p[0]),
-               Factor(f.q[0]),
-               Factor(common_divisor(ruling_coordinates<Q>(f.p, f.q))),
-               Factor(f.minors)},
-        inside_(-(f.beta * f.delta * f.p[0] * f.q[0])) {
-    Poly product(std::vector<Q>{f.begin * f.end, -(f.begin + f.end), Q(1)});
-    for (const Factor& zero : zeros_) {
-      if (!zero.simple.zero()) product *= zero.simple;
+  explicit PieceEvents(const PieceFunctions<Q>& f) : inside_(-(f.beta * f.delta * f.p[0] * f.q[0])) {
+    Poly product(1);
+    for (const Poly& g : {f.beta, f.delta, f.p[0], f.q[0], common_divisor(ruling_coordinates<Q>(f.p, f.q)), f.minors}) {
+      zeros_.emplace_back(g, f.begin, f.end);
+      if (!g.zero()) product *= zeros_.back().simple;
     }
+    if (product.degree() == 0) {
+      roots_ = {{f.begin, f.begin}, {f.end, f.end}};
+      return;
+    }
+    product *= Poly(std::vector<Q>{f.begin * f.end, -(f.begin + f.end), Q(1)});
     for (RealRoot& root : real_roots(product.coefficients(), parameter_bits)) {
       if (root.rational()) rational_.push_back(root.lower);
       if (root.lower >= f.begin && root.upper <= f.end) roots_.push_back(std::move(root));
@@ -86,7 +97,7 @@ class PieceEvents {
 
   bool at(std::size_t i, Index zero) const { return zeros_[zero].vanishes(roots_[i]); }
 
-  std::array<Factor, 6> zeros_;
+  std::vector<Factor> zeros_{};
   Poly inside_;
   std::vector<RealRoot> roots_{};
   std::vector<Q> rational_{};

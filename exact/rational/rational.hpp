@@ -14,6 +14,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "torse/scalar/errors.hpp"
 #include "torse/scalar/traits.hpp"
@@ -217,6 +218,10 @@ struct ScalarTraits<Rational> {
   static Truth less(const Rational& x, const Rational& y) { return truth(x < y); }
   static std::string text(const Rational& x) { return x.text(); }
   static void add_product(Rational& y, const Rational& a, const Rational& b) { Rational::add_product(y, a, b); }
+  /// The least common multiple of the denominators.
+  static Rational common_denominator(const std::vector<Rational>& list);
+  /// The monic greatest common divisor of two polynomials that are not zero, coefficients of 1, t, t^2, ... (by FLINT).
+  static std::vector<Rational> polynomial_gcd(const std::vector<Rational>& f, const std::vector<Rational>& g);
 };
 
 }  // namespace torse

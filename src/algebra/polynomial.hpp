@@ -143,17 +143,24 @@ Polynomial<S> exact_quotient(const Polynomial<S>& f, const Polynomial<S>& g) {
   return g.degree() == 0 && definitely(equal(g.leading(), from_int<S>(1))) ? f : divide_with_rest(f, g).quotient;
 }
 
-/// The monic greatest common divisor, by Euclid's algorithm with monic remainders; gcd(0, 0) = 0.
+/// The monic greatest common divisor; gcd(0, 0) = 0. By `ScalarTraits<S>::polynomial_gcd` where a field has it, else by
+/// Euclid's algorithm with monic remainders.
 template <ExactField S>
 Polynomial<S> gcd(Polynomial<S> f, Polynomial<S> g) {
-  f = f.monic();
-  g = g.monic();
-  while (!g.zero()) {
-    if (g.degree() == 0) return g;
-    f = divide_with_rest(f, g).rest.monic();
-    std::swap(f, g);
+  if (f.zero()) return g.monic();
+  if (g.zero()) return f.monic();
+  if (f.degree() == 0 || g.degree() == 0) return Polynomial<S>(1);
+  if constexpr (requires { ScalarTraits<S>::polynomial_gcd(f.coefficients(), g.coefficients()); }) {
+    return Polynomial<S>(ScalarTraits<S>::polynomial_gcd(f.coefficients(), g.coefficients()));
+  } else {
+    f = f.monic();
+    while (!g.zero()) {
+      f = divide_with_rest(f, g).rest;
+      std::swap(f, g);
+      g = g.monic();
+    }
+    return f.monic();
   }
-  return f;
 }
 
 /// The monic greatest common divisor of a list of polynomials.

@@ -15,6 +15,7 @@
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/surface_report.hpp"
 #include "torse/cli/terminal.hpp"
+#include "torse/cli/warp.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
 
@@ -29,36 +30,20 @@ struct CheckOptions {
   ReportFiles reports;
 };
 
-/// Degrees that the warp angle of a surface surely lies between.
-struct WarpBounds {
-  int lower;
-  int upper;
-};
-
 /// One file: a surface with its judgement, or an error.
 struct CheckedFile {
   std::string file;
   std::string replay;
   std::optional<RuledFile<Rational>> surface{};
   std::optional<Judgement> judgement{};
+  WarpVerdict warp{};
   std::optional<FileError> error{};
   double seconds = 0;
 
   std::string name() const { return printable(file == "-" ? file : std::filesystem::path(file).stem().string()); }
-  WarpBounds warp() const { return judgement->developable() ? WarpBounds{0, 0} : WarpBounds{0, 90}; }
 };
 
-Rational read_max_warp(const std::string& text) {
-  try {
-    Rational angle = parse_number<Rational>(text);
-    if (angle.sign() < 0) throw UsageError("--max-warp: expected an angle of at least 0 degrees, found " + text);
-    return angle;
-  } catch (const BadNumber& bad) {
-    throw UsageError(std::string("--max-warp: ") + bad.what());
-  }
-}
-
-CheckedFile check_file(const std::string& file, const CheckOptions& options) {
+CheckedFile check_file(const std::string& file, const CheckOptions& options, const std::optional<Angle>& max_warp) {
   std::vector<std::string> words{"torse", "check"};
   if (file.starts_with('-') && file != "-") words.push_back("--");
   words.push_back(file);
@@ -69,6 +54,7 @@ CheckedFile check_file(const std::string& file, const CheckOptions& options) {
     const Document document(file, read_file(file));
     checked.surface = read_ruled<Rational>(document);
     checked.judgement = judge(*checked.surface);
+    if (!checked.judgement->developable()) checked.warp = judge_warp(*checked.surface, max_warp);
   } catch (const FileError& error) {
     checked.error = error;
   }
@@ -77,12 +63,14 @@ CheckedFile check_file(const std::string& file, const CheckOptions& options) {
 }
 
 /// Whether a file passes: without --max-warp a surface must be developable, with it the warp must not exceed the angle.
-Outcome outcome_of(const CheckedFile& checked, const std::optional<Rational>& max_warp) {
+Outcome outcome_of(const CheckedFile& checked, const std::optional<Angle>& max_warp) {
   if (checked.error) return Outcome::error;
-  if (!max_warp) return checked.judgement->developable() ? Outcome::passed : Outcome::failed;
-  const WarpBounds warp = checked.warp();
-  if (Rational(warp.upper) <= *max_warp) return Outcome::passed;
-  return *max_warp < Rational(warp.lower) ? Outcome::failed : Outcome::undecided;
+  if (checked.judgement->developable()) return Outcome::passed;
+  if (!max_warp) return Outcome::failed;
+  if (possibly(checked.warp.within_limit)) {
+    return definitely(checked.warp.within_limit) ? Outcome::passed : Outcome::undecided;
+  }
+  return Outcome::failed;
 }
 
 int code_of(const std::vector<ReportCase>& cases) {
@@ -95,9 +83,10 @@ int code_of(const std::vector<ReportCase>& cases) {
 std::string message_of(const CheckedFile& checked, Outcome outcome) {
   if (checked.error) return checked.error->what();
   if (checked.judgement->developable()) return "developable: " + describe(checked.judgement->classification);
-  const std::string reason = "not developable: " + describe(*checked.judgement->witness, checked.surface->knots);
-  return outcome == Outcome::undecided ? reason + "; the warp angle lies in [0, 90] degrees, which does not decide"
-                                       : reason;
+  const WarpEnclosure& warp = checked.warp.enclosure;
+  return fmt::format("not developable: {}; the largest warp angle lies in [{}, {}] degrees{}",
+                     describe(*checked.judgement->witness, checked.surface->knots), warp.lower, warp.upper,
+                     outcome == Outcome::undecided ? ", which does not decide" : "");
 }
 
 ReportCase case_of(const CheckedFile& checked, Outcome outcome) {
@@ -127,9 +116,15 @@ Json surface_json(const CheckedFile& checked) {
             {"class", name_of(judgement.classification.kind)}};
   if (judgement.classification.vertex) json["vertex"] = point_json(*judgement.classification.vertex);
   if (judgement.classification.direction) json["direction"] = point_json(*judgement.classification.direction);
-  json["max_warp_deg"] = {{"lo", checked.warp().lower}, {"hi", checked.warp().upper}};
+  json["max_warp_deg"] = {{"lo", checked.warp.enclosure.lower}, {"hi", checked.warp.enclosure.upper}};
+  Json exclusions = Json::array();
+  for (const WarpExclusion& at : checked.warp.enclosure.exclusions) {
+    exclusions.push_back({{"piece", at.piece}, {"from", at.lower.text()}, {"to", at.upper.text()}});
+  }
+  json["warp_excluded"] = std::move(exclusions);
   json["witness"] = judgement.witness ? witness_json(*judgement.witness, checked.surface->knots) : Json();
-  json["singular"] = judgement.developable() ? singular_json(find_singularities(*checked.surface)) : Json();
+  const auto singular = judgement.developable() ? quick_singularities(*checked.surface) : std::nullopt;
+  json["singular"] = singular ? singular_json(*singular) : Json();
   return json;
 }
 
@@ -189,12 +184,12 @@ void print_files(const std::vector<CheckedFile>& files, const std::vector<Report
 
 int run_check(const CheckOptions& options) {
   require_one_output(options.reports);
-  std::optional<Rational> max_warp;
-  if (!options.max_warp.empty()) max_warp = read_max_warp(options.max_warp);
+  std::optional<Angle> max_warp;
+  if (!options.max_warp.empty()) max_warp = read_angle(options.max_warp);
   std::vector<CheckedFile> files;
   std::vector<ReportCase> cases;
   for (const std::string& file : options.files) {
-    files.push_back(check_file(file, options));
+    files.push_back(check_file(file, options, max_warp));
     cases.push_back(case_of(files.back(), outcome_of(files.back(), max_warp)));
     if (files.back().error) print_error(cases.back().message + "\n  replay: " + cases.back().replay);
   }
@@ -209,7 +204,7 @@ int run_check(const CheckOptions& options) {
 std::function<int()> define_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   app.add_option("FILE", options->files, "ruled surfaces in torse's JSON; - is standard input")->required();
-  app.add_option("--max-warp", options->max_warp, "pass where the warp angle is at most ANGLE degrees")
+  app.add_option("--max-warp", options->max_warp, "pass where the warp angle is at most ANGLE: 0.5, 0.5deg or 0.01rad")
       ->type_name("ANGLE");
   add_report_options(app, options->reports);
   return [options] { return run_check(*options); };

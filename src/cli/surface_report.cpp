@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+
 #include "torse/cli/function_report.hpp"
 #include "torse/cli/terminal.hpp"
 
@@ -11,6 +14,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Bound = SingularSet::Bound;
+
+/// With so many bits in the net, the singularities take about a quarter of a second.
+constexpr std::size_t most_bits = std::size_t{1} << 18;
+
+std::size_t bits_of(const WeightedPoints<Rational, 3>& net) {
+  std::size_t bits = 0;
+  const auto count = [&](const Rational& x) { bits += x.numerator_bits() + x.denominator_bits(); };
+  for (const Vec<Rational, 3>& x : net.points) {
+    for (int j = 0; j < 3; ++j) count(x[j]);
+  }
+  std::ranges::for_each(net.weights, count);
+  return bits;
+}
 
 Json bound_json(const Bound& bound) {
   if (bound.root.rational()) return bound.root.lower.text();
@@ -35,9 +51,9 @@ Json witness_json(const DevelopabilityWitness<Rational>& witness, const KnotList
           {"value", witness.value.text()}};
 }
 
-std::vector<SingularSet> find_singularities(const RuledFile<Rational>& surface) {
-  return torse::find_singularities(
-      recover_pieces<Rational>(surface.knots, homogeneous(surface.c), homogeneous(surface.d)));
+std::optional<std::vector<SingularSet>> quick_singularities(const RuledFile<Rational>& surface) {
+  if (bits_of(surface.c) + bits_of(surface.d) > most_bits) return std::nullopt;
+  return find_singularities(recover_pieces<Rational>(surface.knots, homogeneous(surface.c), homogeneous(surface.d)));
 }
 
 Json singular_json(const std::vector<SingularSet>& sets) {

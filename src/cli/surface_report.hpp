@@ -1,10 +1,11 @@
 // What check and recover both say of a surface, as JSON and in words.
 //   point_json, witness_json      a point, what refutes developability
-//   find_singularities            of a file
+//   quick_singularities           of a file
 //   singular_json, singular_text  where the patch is singular
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,10 @@ nlohmann::ordered_json point_json(const Vec<Rational, 3>& x);
 /// {"piece", "span", "coefficient", "value"}.
 nlohmann::ordered_json witness_json(const DevelopabilityWitness<Rational>& witness, const KnotList<Rational>& knots);
 
-/// Where a developable surface is singular.
-std::vector<SingularSet> find_singularities(const RuledFile<Rational>& surface);
+/// Where a developable surface is singular; none where its numbers have too many bits to find that out beside a
+/// decision
+/// (`torse recover` does it all the same).
+std::optional<std::vector<SingularSet>> quick_singularities(const RuledFile<Rational>& surface);
 
 /// [{"reason", "from", "to"}]: a bound is "p/q", or {"lo", "hi", "zero_of": [integers]} where it is irrational.
 nlohmann::ordered_json singular_json(const std::vector<SingularSet>& sets);

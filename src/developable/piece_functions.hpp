@@ -118,9 +118,9 @@ class PolynomialMatrix {
     return i % 2 == 0 ? minor : -minor;
   }
 
-  /// The dependence of rows of rank 3 without a common factor, all zero for a lower rank. `minors` becomes the greatest
-  /// common divisor of all cofactors.
-  std::array<Polynomial<S>, 4> dependence(Polynomial<S>& minors) const {
+  /// The dependence of rows of rank 3 without a common factor, all zero for a lower rank, none for independent rows.
+  /// `minors` becomes the greatest common divisor of all cofactors.
+  std::optional<std::array<Polynomial<S>, 4>> dependence(Polynomial<S>& minors) const {
     std::array<Polynomial<S>, 4> x;
     std::size_t left_out = 0;
     const auto is_zero_polynomial = [](const Polynomial<S>& f) { return f.zero(); };
@@ -130,44 +130,62 @@ class PolynomialMatrix {
     minors = common_divisor(x);
     if (minors.zero()) return x;
     for (Polynomial<S>& f : x) f = exact_quotient(f, minors);
+    // Three coordinates of sum_i x_i rows_[i] are 0; the one left out is the determinant over `minors`.
+    Polynomial<S> rest;
+    for (std::size_t i = 0; i < 4; ++i) rest += x[i] * rows_[i][left_out - 1];
+    if (!rest.zero()) return std::nullopt;
     // The cofactors of every other coordinate are a multiple of the same dependence.
     const std::size_t known = static_cast<std::size_t>(std::ranges::find_if_not(x, is_zero_polynomial) - x.begin());
-    for (; left_out < 4; ++left_out) minors = gcd(minors, exact_quotient(cofactor(known, left_out), x[known]));
-    return x;
-  }
-
-  Polynomial<S> determinant() const {
-    std::array<Vec<Polynomial<S>, 4>, 4> m;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < 4; ++j) m[i][static_cast<int>(j)] = rows_[i][j];
+    for (; left_out < 4 && minors.degree() > 0; ++left_out) {
+      minors = gcd(minors, exact_quotient(cofactor(known, left_out), x[known]));
     }
-    return det4(m[0], m[1], m[2], m[3]);
+    return x;
   }
 
  private:
   std::array<PolynomialRow<S, 4>, 4> rows_;
 };
 
-/// p[t^<n-1>, 0] = p - t/n p', of degree n - 1.
+/// n p[t^<n-1>, 0] = n p - t p', of degree n - 1.
 template <ExactField S>
 PolynomialRow<S, 4> blossom_at_zero(int n, const PolynomialRow<S, 4>& p) {
   PolynomialRow<S, 4> row;
   for (std::size_t j = 0; j < 4; ++j) {
     std::vector<S> a = p[j].coefficients();
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] *= ratio<S>(n - static_cast<int>(i), n);
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] *= from_int<S>(n - static_cast<int>(i));
     row[j] = Polynomial<S>(std::move(a));
   }
   return row;
 }
 
+/// A factor that clears the denominators of a row, for fields that have them: products are much cheaper then.
+template <ExactField S>
+S clearing_factor(const PolynomialRow<S, 4>& row) {
+  if constexpr (requires(const std::vector<S>& list) { ScalarTraits<S>::common_denominator(list); }) {
+    std::vector<S> all;
+    for (const Polynomial<S>& f : row) all.insert(all.end(), f.coefficients().begin(), f.coefficients().end());
+    return ScalarTraits<S>::common_denominator(all);
+  } else {
+    return from_int<S>(1);
+  }
+}
+
+template <ExactField S>
+PolynomialRow<S, 4> scaled_row(PolynomialRow<S, 4> row, const S& factor) {
+  for (Polynomial<S>& f : row) f.scale(factor);
+  return row;
+}
+
 }  // namespace detail
 
-/// The pairwise determinants p_i q_j - p_j q_i: zero together where p and q are proportional.
+/// The pairwise determinants p_i q_j - p_j q_i up to a common constant: zero together where p and q are proportional.
 template <ExactField S>
 std::vector<Polynomial<S>> ruling_coordinates(const PolynomialRow<S, 4>& p, const PolynomialRow<S, 4>& q) {
+  const PolynomialRow<S, 4> x = detail::scaled_row<S>(p, detail::clearing_factor<S>(p));
+  const PolynomialRow<S, 4> y = detail::scaled_row<S>(q, detail::clearing_factor<S>(q));
   std::vector<Polynomial<S>> l;
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) l.push_back(p[i] * q[j] - p[j] * q[i]);
+    for (std::size_t j = i + 1; j < 4; ++j) l.push_back(x[i] * y[j] - x[j] * y[i]);
   }
   return l;
 }
@@ -186,24 +204,27 @@ PieceFunctions<S> recover_piece(const KnotList<S>& u, std::span<const Vec<S, 4>>
                       .sweep = Sweep::surface,
                       .p = piece_polynomials<S, 4>(u, p, k),
                       .q = piece_polynomials<S, 4>(u, q, k)};
+  const S p_factor = detail::clearing_factor<S>(f.p);
+  const S q_factor = detail::clearing_factor<S>(f.q);
+  const PolynomialRow<S, 4> cp = detail::scaled_row<S>(f.p, p_factor);
+  const PolynomialRow<S, 4> cq = detail::scaled_row<S>(f.q, q_factor);
   const detail::PolynomialMatrix<S> rows(
-      {detail::blossom_at_zero<S>(n, f.p), derivative(f.p), detail::blossom_at_zero<S>(n, f.q), derivative(f.q)});
-  if (!rows.determinant().zero()) {
-    throw InvalidInput("piece[" + std::to_string(k) + "]", "is not developable");
-  }
-  const std::array<Polynomial<S>, 4> x = rows.dependence(f.minors);
+      {detail::blossom_at_zero<S>(n, cp), derivative(cp), detail::blossom_at_zero<S>(n, cq), derivative(cq)});
+  const std::optional<std::array<Polynomial<S>, 4>> dependence = rows.dependence(f.minors);
+  if (!dependence) throw InvalidInput("piece[" + std::to_string(k) + "]", "is not developable");
+  const std::array<Polynomial<S>, 4>& x = *dependence;
   if (f.minors.zero()) {
     const std::vector<Polynomial<S>> l = ruling_coordinates<S>(f.p, f.q);
     const bool independent = std::ranges::any_of(l, [](const Polynomial<S>& e) { return !e.zero(); });
     f.sweep = independent ? Sweep::line : Sweep::curve;
     return f;
   }
-  // x_0 (p - t/n p') + x_1 p' = alpha p + beta p'
-  const Polynomial<S> step(std::vector<S>{from_int<S>(0), ratio<S>(1, n)});
-  f.alpha = x[0];
-  f.beta = x[1] - step * x[0];
-  f.gamma = -x[2];
-  f.delta = step * x[2] - x[3];
+  // x_0 (n p - t p') + x_1 p' = alpha p + beta p'
+  const Polynomial<S> t = Polynomial<S>::variable();
+  f.alpha = (from_int<Polynomial<S>>(n) * x[0]).scale(p_factor);
+  f.beta = (x[1] - t * x[0]).scale(p_factor);
+  f.gamma = (from_int<Polynomial<S>>(-n) * x[2]).scale(q_factor);
+  f.delta = (t * x[2] - x[3]).scale(q_factor);
   return f;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "torse/exact/modular/zp.hpp"
+#include "torse/exact/rational/cpp_rational.hpp"
 #include "torse/exact/rational/rational.hpp"
 
 namespace torse {
@@ -110,6 +111,20 @@ TEST(Polynomial, GreatestCommonDivisorAgreesWithFlint) {
   }
   EXPECT_TRUE(gcd(Poly(), Poly()).zero());
   EXPECT_TRUE(gcd(Poly(), poly({2, 4})) == Poly(std::vector<Q>{ratio<Q>(1, 2), Q(1)}));
+}
+
+TEST(Polynomial, EuclidAgreesWithTheFieldsOwnAlgorithm) {
+  std::mt19937_64 rng(9);
+  const auto copy = [](const Poly& f) {
+    std::vector<CppRational> a;
+    for (const Q& x : f.coefficients()) a.push_back(CppRational::from_text(x.text()));
+    return Polynomial<CppRational>(std::move(a));
+  };
+  for (int round = 0; round < 40; ++round) {
+    const Poly common = random_poly(rng, static_cast<int>(rng() % 4));
+    const Poly f = random_poly(rng, static_cast<int>(rng() % 5)) * common, g = random_poly(rng, 3) * common;
+    EXPECT_TRUE(gcd(copy(f), copy(g)) == copy(gcd(f, g))) << as_text(f) << " and " << as_text(g);
+  }
 }
 
 TEST(Polynomial, SquareFreePartHasEachRootOnce) {
