@@ -19,6 +19,9 @@ namespace {
 constexpr int ball_bits = 256;
 using WarpBall = Ball<ball_bits>;
 
+/// The cost of a step in balls, one in doubles being 1.
+constexpr double ball_cost = 300;
+
 /// A surface over S.
 template <class S, int D>
 struct Surface {
@@ -199,16 +202,18 @@ class WarpRun {
 
   std::vector<int> ball_stage(const std::vector<int>& pieces) {
     stage_ = WarpStage::balls;
+    if (static_cast<long>(pieces.size()) > budget(ball_cost)) return pieces;
     surface_ = converted<Rational, S, D>(u_, c_, d_, exact);
     const Surface<WarpBall, D> surface = converted<WarpBall, Rational, D>(
         surface_->knots, surface_->c, surface_->d, [](const Rational& x) { return WarpBall::rational(x.text()); });
     std::vector<WarpPiece<BernsteinQuotient<WarpBall>>> quotients;
     for (const int k : pieces) quotients.push_back({k, quotient_of(sine_forms_of(surface, k))});
-    return settle(quotients, budget(300));
+    return settle(quotients, budget(ball_cost));
   }
 
   std::vector<int> exact_stage(const std::vector<int>& pieces) {
     stage_ = WarpStage::exact;
+    if (static_cast<long>(pieces.size()) > budget(exact_cost())) return pieces;
     std::vector<int> curved;
     std::vector<SineForms<Rational>> forms;
     for (const int k : pieces) {
@@ -234,7 +239,7 @@ class WarpRun {
       quotients.push_back(
           {pieces[i], quotient_of(SineForms<Rational>{factor * forms[i].numerator, forms[i].denominator})});
     }
-    const std::vector<std::size_t> tangent = search(quotients, goal_, budget(3000), record_);
+    const std::vector<std::size_t> tangent = search(quotients, goal_, budget(exact_cost()), record_);
     std::vector<int> open;
     for (const std::size_t i : tangent) {
       if (!attains_limit_only(forms[i])) open.push_back(pieces[i]);
@@ -246,6 +251,17 @@ class WarpRun {
   bool attains_limit_only(const SineForms<Rational>& forms) const {
     const std::optional<Rational> value = limit_ ? exact_sine_squared(*limit_) : std::nullopt;
     return value && nowhere_above(forms, *value);
+  }
+
+  /// Longer numbers cost more.
+  double exact_cost() const {
+    std::size_t most = 0;
+    for (const auto* row : {&surface_->c, &surface_->d}) {
+      for (const Vec<Rational, D>& x : *row) {
+        for (int j = 0; j < D; ++j) most = std::max(most, x[j].numerator_bits() + x[j].denominator_bits());
+      }
+    }
+    return 3000 * std::max(1.0, static_cast<double>(most) / 512);
   }
 
   static Rational power_of_four(long exponent) {

@@ -95,26 +95,28 @@ std::optional<RoundedForms<L>> forms_of(const LocalRow<K>& row, int first, doubl
   if (!(norm >= smallest && norm <= largest)) return std::nullopt;
   const double scale = std::ldexp(1.0, -std::ilogb(norm));
   const auto& binomial = rounding::binomials.value[static_cast<std::size_t>(row.degree)];
-  RoundedForms<L> forms(row.degree);
+  std::optional<RoundedForms<L>> forms(std::in_place, row.degree);
   for (int i = 0; i <= row.degree; ++i) {
     for (int j = 0; j < L; ++j) {
-      forms.at(j, i) = binomial[static_cast<std::size_t>(i)] * scale *
-                       row.p[static_cast<std::size_t>(i)][static_cast<std::size_t>(first + j)];
+      forms->at(j, i) = binomial[static_cast<std::size_t>(i)] * scale *
+                        row.p[static_cast<std::size_t>(i)][static_cast<std::size_t>(first + j)];
     }
   }
-  forms.close((error + 3 * rounding::unit * norm) * scale);
+  forms->close((error + 3 * rounding::unit * norm) * scale);
   return forms;
 }
 
-/// Directions along c', d - c, d'.
+/// Directions along c', d - c, d'; none where one is out of range. The forms are large, so they are made in place.
 struct Directions {
-  RoundedForms<3> a;
-  RoundedForms<3> w;
-  RoundedForms<3> b;
+  std::optional<RoundedForms<3>> a{};
+  std::optional<RoundedForms<3>> w{};
+  std::optional<RoundedForms<3>> b{};
+
+  bool complete() const { return a && w && b; }
 };
 
 /// The B-splines c', d' of degree n-1 and d - c of degree n from differences of control points.
-std::optional<Directions> directions(const RoundedNet<3>& net, int k) {
+Directions directions(const RoundedNet<3>& net, int k) {
   const int n = net.degree;
   const double* t = net.knots.data() + (k - 1);
   LocalRow<6> speed{n - 1, {}};
@@ -135,18 +137,14 @@ std::optional<Directions> directions(const RoundedNet<3>& net, int k) {
   }
   const double speed_norm = norm_of(speed);
   const double ruling_norm = norm_of(ruling);
-  if (!(speed_norm <= largest && ruling_norm <= largest)) return std::nullopt;
+  if (!(speed_norm <= largest && ruling_norm <= largest)) return {};
   double speed_error = 2 * net.coordinate_error * rounding::up + (8 * rounding::unit + 5 * net.knot_error) * speed_norm;
   double ruling_error = 2 * net.coordinate_error + 2 * rounding::unit * ruling_norm;
   if (n > 1) make_bezier(speed, t + 1);
   make_bezier(ruling, t);
   speed_error += bezier_error(n - 1, speed_norm, net.knot_error);
   ruling_error += bezier_error(n, ruling_norm, net.knot_error);
-  const std::optional<RoundedForms<3>> a = forms_of<3>(speed, 0, speed_error);
-  const std::optional<RoundedForms<3>> w = forms_of<3>(ruling, 0, ruling_error);
-  const std::optional<RoundedForms<3>> b = forms_of<3>(speed, 3, speed_error);
-  if (!a || !w || !b) return std::nullopt;
-  return Directions{*a, *w, *b};
+  return {forms_of<3>(speed, 0, speed_error), forms_of<3>(ruling, 0, ruling_error), forms_of<3>(speed, 3, speed_error)};
 }
 
 /// The points of a row on piece k as forms of degree n.
@@ -193,15 +191,11 @@ std::optional<RoundedForms<3>> normalised(RoundedForms<3> x) {
   return x;
 }
 
-std::optional<Directions> directions(const RoundedNet<4>& net, int k) {
+Directions directions(const RoundedNet<4>& net, int k) {
   const std::optional<RoundedForms<4>> p = piece_row(net, net.c, k);
   const std::optional<RoundedForms<4>> q = piece_row(net, net.d, k);
-  if (!p || !q) return std::nullopt;
-  const std::optional<RoundedForms<3>> a = normalised(row_speed(*p));
-  const std::optional<RoundedForms<3>> w = normalised(rounded_minors(*p, *q));
-  const std::optional<RoundedForms<3>> b = normalised(row_speed(*q));
-  if (!a || !w || !b) return std::nullopt;
-  return Directions{*a, *w, *b};
+  if (!p || !q) return {};
+  return {normalised(row_speed(*p)), normalised(rounded_minors(*p, *q)), normalised(row_speed(*q))};
 }
 
 /// x rounded; the error is noted.
@@ -300,12 +294,12 @@ std::optional<RoundedNet<D>> rounded_net(const KnotList<double>& u, std::span<co
 
 template <int D>
 std::optional<RoundedQuotient> rounded_quotient(const RoundedNet<D>& net, int k) {
-  const std::optional<Directions> f = directions(net, k);
-  if (!f) return std::nullopt;
-  const RoundedForms<1> w2 = rounded_dot(f->w, f->w);
-  const RoundedForms<1> det = rounded_dot(rounded_cross(f->a, f->b), f->w);
-  const RoundedForms<1> cosine = rounded_sum(rounded_dot(rounded_dot(f->a, f->b), w2), -1,
-                                             rounded_dot(rounded_dot(f->a, f->w), rounded_dot(f->b, f->w)));
+  const Directions f = directions(net, k);
+  if (!f.complete()) return std::nullopt;
+  const RoundedForms<1> w2 = rounded_dot(*f.w, *f.w);
+  const RoundedForms<1> det = rounded_dot(rounded_cross(*f.a, *f.b), *f.w);
+  const RoundedForms<1> cosine = rounded_sum(rounded_dot(rounded_dot(*f.a, *f.b), w2), -1,
+                                             rounded_dot(rounded_dot(*f.a, *f.w), rounded_dot(*f.b, *f.w)));
   const RoundedForms<1> numerator = rounded_dot(w2, rounded_dot(det, det));
   return RoundedQuotient(numerator, rounded_sum(rounded_dot(cosine, cosine), 1, numerator));
 }

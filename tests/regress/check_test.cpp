@@ -31,7 +31,10 @@ TEST_F(Check, ExitCodesOfOneFile) {
   EXPECT_EQ(run_program({"check", file("flat", flat)}).exit, 0);
   EXPECT_EQ(run_program({"check", file("twisted", twisted)}).exit, 1);
   EXPECT_EQ(run_program({"check", file("broken", "{")}).exit, 2);
-  EXPECT_EQ(run_program({"check", file("twisted", twisted), "--max-warp", "5"}).exit, 3);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), "--max-warp", "5"}).exit, 1);  // atan(1/7) is 8.13 degrees
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), "--max-warp", "8.14deg"}).exit, 0);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), "--max-warp", "0.1418rad"}).exit, 1);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), "--max-warp", "0.1419rad"}).exit, 0);
   EXPECT_EQ(run_program({"check", file("twisted", twisted), "--max-warp", "90"}).exit, 0);
   EXPECT_EQ(run_program({"check", file("flat", flat), "--max-warp", "0"}).exit, 0);
 }
@@ -45,14 +48,18 @@ TEST_F(Check, AnUnreadableFileWinsAndTheOthersAreReported) {
   EXPECT_EQ(report["surfaces"][0]["name"], "flat");
   EXPECT_EQ(report["errors"].size(), 1U);
   EXPECT_EQ(run_program({"check", file("twisted", twisted), file("flat", flat)}).exit, 1);
-  EXPECT_EQ(run_program({"check", file("twisted", twisted), file("flat", flat), "--max-warp", "1/2"}).exit, 3);
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), file("flat", flat), "--max-warp", "1/2"}).exit, 1);
 }
 
 TEST_F(Check, TheWitnessIsExact) {
   const json surface = json::parse(run_program({"check", file("twisted", twisted), "--json", "-"}).out)["surfaces"][0];
   EXPECT_EQ(surface["developable"], false);
   EXPECT_EQ(surface["class"], "none");
-  EXPECT_EQ(surface["max_warp_deg"], json({{"lo", 0}, {"hi", 90}}));
+  const double lower = surface["max_warp_deg"]["lo"], upper = surface["max_warp_deg"]["hi"];
+  EXPECT_LE(lower, 8.1301023541559787);  // atan(1/7)
+  EXPECT_GE(upper, 8.1301023541559787);
+  EXPECT_LE(upper - lower, 1e-3 * lower);
+  EXPECT_EQ(surface["warp_excluded"], json::array());
   EXPECT_EQ(surface["witness"]["span"], json({"1/3", "2"}));
   EXPECT_EQ(surface["witness"]["piece"], 1);
   EXPECT_EQ(surface["witness"]["coefficient"], 0);
@@ -152,7 +159,7 @@ TEST_F(Check, MistypedWordsGetASuggestion) {
   const ProgramResult option = run_program({"check", file("flat", flat), "--jsn", "x"});
   EXPECT_EQ(option.exit, 2);
   EXPECT_THAT(option.err, HasSubstr("did you mean --json?"));
-  for (const char* angle : {"-1", "x", "1/0", "nan"}) {
+  for (const char* angle : {"-1", "x", "1/0", "nan", "deg", "1 deg", "1grad", "-1rad"}) {
     const ProgramResult wrong = run_program({"check", file("flat", flat), "--max-warp", angle});
     EXPECT_EQ(wrong.exit, 2) << angle;
     EXPECT_THAT(wrong.err, HasSubstr("--max-warp"));
