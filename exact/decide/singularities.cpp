@@ -23,7 +23,7 @@ bool surely_rootless(const Poly& f, const Q& a, const Q& b) {
   if (f.zero()) return false;
   const std::vector<Vec<Q, 1>> coefficients = bezier_rows(std::array<Poly, 1>{f}, f.degree(), a, b);
   const int sign = coefficients.front()[0].sign();
-  return sign != 0 && std::ranges::all_of(coefficients, [&](const Vec<Q, 1>& x) { return x[0].sign() == sign; });
+  return std::ranges::all_of(coefficients, [&](const Vec<Q, 1>& x) { return x[0].sign() == sign; });
 }
 
 /// A polynomial by its square-free part, which changes its sign at every root; 1 where it has no root on the piece.

@@ -169,6 +169,19 @@ TEST_F(Recover, AConeHasItsVertexAndCheckItsSingularities) {
   EXPECT_EQ(json::parse(check.out)["surfaces"][0]["singular"], net["singular"]);
 }
 
+TEST_F(Recover, CheckLeavesSingularitiesOfHugeNumbersToRecover) {
+  // 24 numbers of 13288 bits each.
+  std::string row = "[";
+  for (int i = 0; i < 4; ++i) row += std::string(i == 0 ? "" : ",") + "[1e3999,1e3999,1e3999]";
+  const std::string huge = R"({"torse": 1, "type": "ruled", "degree": 3, "c": {"points": )" + row + R"(]},
+   "d": {"points": )" + row +
+                           "]}}";
+  const json check = json::parse(run_program({"check", file("huge", huge), "--json", "-"}).out)["surfaces"][0];
+  EXPECT_EQ(check["developable"], true);
+  EXPECT_TRUE(check["singular"].is_null());
+  EXPECT_EQ(surface(huge)["singular"].size(), 1U);
+}
+
 TEST_F(Recover, AnIrrationalParameterIsIsolated) {
   // A cylinder with rulings of length 2 t^2 - 1.
   const json net = surface(R"({"torse": 1, "type": "ruled", "degree": 2,
