@@ -1,4 +1,4 @@
-// The largest warp angle of a ruled surface with a certificate. docs/decisions/0004-warp-angle.md tells what is measured and how.
+// The largest warp angle of a ruled surface with a certificate, after docs/decisions/0004-warp-angle.md.
 //   WarpOptions, WarpStage       accuracy and budget; which arithmetic was needed
 //   WarpEnclosure, max_warp      bounds of the largest warp angle
 //   warp_at_most                 whether it exceeds an angle

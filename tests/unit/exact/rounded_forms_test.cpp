@@ -1,0 +1,69 @@
+// The error bounds of products of forms in doubles, against the exact products.
+#include "torse/exact/warp/rounded_forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "torse/algebra/bernstein.hpp"
+#include "torse/exact/rational/rational.hpp"
+
+namespace torse {
+namespace {
+
+using Q = Rational;
+
+/// Random doubles as exact forms.
+RoundedForms<3> random_forms(int degree, std::mt19937_64& rng) {
+  RoundedForms<3> x(degree);
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i <= degree; ++i) x.at(j, i) = static_cast<double>(rng() >> 11) * 0x1p-52 - 1;
+  }
+  x.close(0);
+  return x;
+}
+
+template <int K>
+BinaryForm<Q> exact(const RoundedForms<K>& x, int j) {
+  BinaryForm<Q> f(x.degree());
+  for (int i = 0; i <= x.degree(); ++i) f[i] = Q::from_double(x.at(j, i));
+  return f;
+}
+
+/// Whether form j is within its radius of the exact one, which is within the norm. Counts the inexact coefficients.
+template <int K>
+void expect_enclosed(const RoundedForms<K>& x, int j, const BinaryForm<Q>& value, int& inexact) {
+  const auto magnitude = [](const Q& q) { return q.sign() < 0 ? -q : q; };
+  for (int i = 0; i <= x.degree(); ++i) {
+    const Q choose = binomial<Q>(x.degree(), i);
+    const Q error = magnitude(Q::from_double(x.at(j, i)) - value[i]);
+    EXPECT_LE(error, choose * Q::from_double(x.radius()));
+    EXPECT_LE(magnitude(value[i]), choose * Q::from_double(x.norm()));
+    if (error.sign() > 0) ++inexact;
+  }
+}
+
+TEST(RoundedForms, EncloseTheExactProducts) {
+  std::mt19937_64 rng(4);
+  int inexact = 0;
+  for (int round = 0; round < 200; ++round) {
+    const RoundedForms<3> x = random_forms(static_cast<int>(rng() % 6), rng);
+    const RoundedForms<3> y = random_forms(static_cast<int>(rng() % 6), rng);
+    expect_enclosed(rounded_dot(x, y), 0,
+                    exact(x, 0) * exact(y, 0) + exact(x, 1) * exact(y, 1) + exact(x, 2) * exact(y, 2), inexact);
+    const RoundedForms<3> product = rounded_cross(x, y);
+    for (int j = 0; j < 3; ++j) {
+      const int k = (j + 1) % 3, l = (j + 2) % 3;
+      expect_enclosed(product, j, exact(x, k) * exact(y, l) - exact(x, l) * exact(y, k), inexact);
+    }
+    const RoundedForms<1> squares = rounded_dot(x, x);
+    const RoundedForms<1> fourth = rounded_dot(squares, squares);
+    const BinaryForm<Q> norm = exact(x, 0) * exact(x, 0) + exact(x, 1) * exact(x, 1) + exact(x, 2) * exact(x, 2);
+    expect_enclosed(fourth, 0, norm * norm, inexact);
+    expect_enclosed(rounded_sum(fourth, -1, fourth), 0, BinaryForm<Q>(fourth.degree()), inexact);
+  }
+  EXPECT_GT(inexact, 1000);
+}
+
+}  // namespace
+}  // namespace torse
