@@ -2,7 +2,7 @@
 // ZW06.12 (a = 0, b = 1/(rho-1)) is cone_net and ZW06.17 (a = 1, b = 0) is tangent_net of special.hpp.
 //   start_cone_net        ZW06.13, a = s, b = s u: the cone over the curve with vertex c_0
 //   mean_tangent_net      ZW06.16, a = 2, b = u      mean_chord_net    ZW06.18, a = 1/u, b = 1
-//   aumann_net, aumann_equation                      ZW06.19-20, a = n (1-s)/(rho-1), b = (1-u+s u)/(rho-1)
+//   affine_net, aumann_equation                      ZW06.19-20, a = n (1-s)/(rho-1), b = (1-u+s u)/(rho-1)
 #pragma once
 
 #include <cstddef>
@@ -67,7 +67,7 @@ std::vector<P> mean_chord_net(std::span<const P> c) {
 /// d_{i+1} = c_i + rho (c_{i+1} - c_i) + s (d_i - c_i) (ZW06.20, Aumann's surfaces): FJ07.12 with M = 1/(1-s) and
 /// Lam = rho M for s != 1, ZW06.12 for s = 1.
 template <Field S, Point<S> P>
-std::vector<P> aumann_net(std::span<const P> c, const S& rho, const S& s, const P& d0) {
+std::vector<P> affine_net(std::span<const P> c, const S& rho, const S& s, const P& d0) {
   std::vector<P> d{d0};
   for (std::size_t i = 0; i + 1 < c.size(); ++i) {
     P next = combine(from_int<S>(1) - rho - s, c[i], rho, c[i + 1]);
@@ -78,7 +78,7 @@ std::vector<P> aumann_net(std::span<const P> c, const S& rho, const S& s, const 
 }
 
 /// a = n (1-s)/(rho-1), b = (1-u+s u)/(rho-1) (ZW06.19) for a directrix of degree n. Throws InvalidInput naming "rho"
-/// for rho = 1, where aumann_net is a cylinder.
+/// for rho = 1, where affine_net is a cylinder.
 template <Field S>
 DirectrixEquation<S> aumann_equation(int n, const S& rho, const S& s) {
   const S one = from_int<S>(1);

@@ -23,6 +23,7 @@ template <>
 struct torse::ScalarTraits<Integer> {
   static constexpr std::string_view name = "Z";
   static constexpr bool exact = true;
+  static constexpr bool decided = true;
   static constexpr bool ordered = true;
   static constexpr bool prefers_reciprocal = false;
   static Integer from_int(std::int64_t i) { return {i}; }

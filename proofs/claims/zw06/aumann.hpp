@@ -151,7 +151,7 @@ a\kappa+b\kappa'=0\text{ for }\kappa=(1-u+\sigma u)^n)",
     const S& u = in.row.u;
     const int n = degree_of(c);
     const std::vector<P> d =
-        mutant.is(1) ? aumann_net<S, P>(c, in.sigma, in.rho, in.d0) : aumann_net<S, P>(c, in.rho, in.sigma, in.d0);
+        mutant.is(1) ? affine_net<S, P>(c, in.sigma, in.rho, in.d0) : affine_net<S, P>(c, in.rho, in.sigma, in.d0);
     const std::vector<P> tau = rulings_of(c, d);
     DirectrixEquation<S> equation = aumann_equation<S>(mutant.is(2) ? n + 1 : n, in.rho, in.sigma);
     if (mutant.is(3)) equation.b = Bernstein<S>({equation.b[1], equation.b[0]});

@@ -195,7 +195,7 @@ TEST(DirectrixNets, AreTheSolutionsOfTheirEquations) {
     EXPECT_EQ((tangent_net<Q, Point3>(c)), second_row(c, solve(c, tangent).tau));
 
     const Equation aumann = aumann_equation<Q>(n, Q(5), ratio<Q>(1, 3));
-    const std::vector<Point3> d = aumann_net<Q, Point3>(c, Q(5), ratio<Q>(1, 3), point(4, -7, 1));
+    const std::vector<Point3> d = affine_net<Q, Point3>(c, Q(5), ratio<Q>(1, 3), point(4, -7, 1));
     const DirectrixSolution<Q, Point3> family = solve(c, aumann);
     ASSERT_TRUE(family.family);
     std::vector<Point3> tau = family.tau;
@@ -206,7 +206,7 @@ TEST(DirectrixNets, AreTheSolutionsOfTheirEquations) {
   // Aumann's surfaces are those of FJ07.12 with M = 1/(1-s), Lam = rho M.
   const std::vector<Point3> c = points(4);
   const Q m = ratio<Q>(3, 2);
-  EXPECT_EQ((aumann_net<Q, Point3>(c, Q(5), ratio<Q>(1, 3), point(4, -7, 1))),
+  EXPECT_EQ((affine_net<Q, Point3>(c, Q(5), ratio<Q>(1, 3), point(4, -7, 1))),
             (linear_net<Q, Point3>(bezier_knots<Q>(3), c, Q(5) * m, m, point(4, -7, 1))));
   EXPECT_EQ(place_of([&] { return start_cone_net<Q, Point3>(points(3), Q(0)); }), "s");
   EXPECT_EQ(place_of([&] { return aumann_equation<Q>(3, Q(1), Q(2)); }), "rho");
