@@ -1,6 +1,6 @@
 // Bounds of a quotient N / D of two polynomials in Bernstein form on [0, 1], where D > 0: it is not larger than the
 // largest quotient N_i / D_i of their coefficients, and this bound converges quadratically under subdivision.
-//   UpperBound               what the coefficients say
+//   QuotientBound               what the coefficients say
 //   enclosure                of a Rational or a Ball as an Interval
 //   RoundedQuotient          coefficients in double with error bounds
 //   BernsteinQuotient<S>     coefficients in a field
@@ -23,7 +23,7 @@ namespace torse {
 
 /// An upper bound of N / D, infinite while D is not certified to be positive, and what the coefficients would say if
 /// they had no error.
-struct UpperBound {
+struct QuotientBound {
   double value;
   double nominal;
 };
@@ -31,7 +31,7 @@ struct UpperBound {
 /// A polynomial quotient with the operations of the search.
 template <class Q>
 concept BoundedQuotient = std::movable<Q> && requires(const Q& q) {
-  { q.upper() } -> std::same_as<UpperBound>;
+  { q.upper() } -> std::same_as<QuotientBound>;
   { q.lower_at_begin() } -> std::same_as<double>;  // a lower bound of the value at 0
   { q.lower_at_end() } -> std::same_as<double>;
   { q.split() } -> std::same_as<std::pair<Q, Q>>;  // over [0, 1/2] and [1/2, 1]
@@ -76,7 +76,7 @@ class RoundedQuotient {
     denominator_norm_ = denominator.norm();
   }
 
-  UpperBound upper() const {
+  QuotientBound upper() const {
     double most = 0;
     double nominal = 0;
     double least = detail::infinity;
@@ -142,8 +142,8 @@ class BernsteinQuotient {
   BernsteinQuotient(Bernstein<S> numerator, Bernstein<S> denominator)
       : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {}
 
-  UpperBound upper() const {
-    UpperBound bound{0, 0};
+  QuotientBound upper() const {
+    QuotientBound bound{0, 0};
     for (int i = 0; i <= numerator_.degree(); ++i) {
       if (!definitely(less(from_int<S>(0), denominator_[i]))) {
         const bool hopeful = !ScalarTraits<S>::decided && nominal(denominator_[i]) > 0;

@@ -61,7 +61,7 @@ struct SearchNode {
 };
 
 /// Whether the error of the coefficients, not the width of the interval, keeps the bound high.
-inline bool error_rules(const UpperBound& bound, double threshold, const WarpGoal& goal) {
+inline bool error_rules(const QuotientBound& bound, double threshold, const WarpGoal& goal) {
   return bound.nominal <= threshold || bound.value > bound.nominal * (1 + goal.tolerance / 2);
 }
 
@@ -90,7 +90,7 @@ std::vector<std::size_t> search(std::vector<WarpPiece<Q>>& pieces, const WarpGoa
     note(piece.quotient.lower_at_begin(), piece.piece, 0);
     note(piece.quotient.lower_at_end(), piece.piece, 1);
   }
-  const auto settle = [&](const UpperBound& bound) {
+  const auto settle = [&](const QuotientBound& bound) {
     record.upper = std::max(record.upper, record.scale == 0 ? std::min(bound.value, 1.0) : bound.value);
   };
   std::vector<std::size_t> open;
@@ -108,7 +108,7 @@ std::vector<std::size_t> search(std::vector<WarpPiece<Q>>& pieces, const WarpGoa
       ++record.intervals;
       const detail::SearchNode<Q> node = std::move(stack.back());
       stack.pop_back();
-      const UpperBound bound = node.quotient.upper();
+      const QuotientBound bound = node.quotient.upper();
       if (bound.value <= threshold || (threshold >= 1 && record.scale == 0 && bound.value < detail::infinity)) {
         settle(bound);
         continue;
