@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "torse/exact/symbolic/thread_cache.hpp"
 #include "torse/proofs/table.hpp"
 
 namespace torse::proofs {
@@ -109,7 +110,11 @@ std::vector<Entry> run_all(const Selection& selection, const Plan& plan, unsigne
     }
   };
   std::vector<std::thread> pool;
-  for (unsigned t = 1; t < std::max(1U, threads); ++t) pool.emplace_back(work);
+  for (unsigned t = 1; t < std::max(1U, threads); ++t)
+    pool.emplace_back([&work] {
+      work();
+      release_flint_cache();
+    });
   work();
   for (std::thread& thread : pool) thread.join();
   if (defect) std::rethrow_exception(defect);
