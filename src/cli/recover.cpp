@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "torse/cli/command.hpp"
@@ -23,16 +24,16 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_singular = 12;
 
 struct RecoverOptions {
-  std::vector<std::string> files;
+  FaceInput input;
   std::string json;
 };
 
-std::string json_report(const std::vector<RecoveredFile>& files) {
+std::string json_report(const std::vector<RecoveredFace>& faces) {
   Json surfaces = Json::array();
   Json errors = Json::array();
-  for (const RecoveredFile& recovered : files) {
+  for (const RecoveredFace& recovered : faces) {
     if (recovered.error) {
-      errors.push_back({{"file", printable(recovered.file)}, {"message", recovered.error->what()}});
+      errors.push_back({{"file", printable(recovered.face.file)}, {"message", recovered.error->what()}});
     } else {
       surfaces.push_back(recovered_json(recovered));
     }
@@ -40,48 +41,55 @@ std::string json_report(const std::vector<RecoveredFile>& files) {
   return Json{{"torse", 1}, {"surfaces", surfaces}, {"errors", errors}}.dump(2) + '\n';
 }
 
-void print_file(const Terminal& terminal, const RecoveredFile& recovered) {
+void print_face(const Terminal& terminal, const RecoveredFace& recovered) {
+  const std::string title = title_of(recovered.face);
+  if (!recovered.judgement) {
+    terminal.print(
+        fmt::format("{}: {}: {}\n", title, terminal.painted(Paint::doubtful, "not ruled"), recovered.face.remark));
+    return;
+  }
   const Judgement& judgement = *recovered.judgement;
-  const std::string file = printable(recovered.file);
   if (!judgement.developable()) {
-    terminal.print(fmt::format("{}: {}: {}\n  {}\n", file, terminal.painted(Paint::bad, "not developable"),
-                               describe(*judgement.witness, recovered.surface->knots),
+    terminal.print(fmt::format("{}: {}: {}\n  {}\n", title, terminal.painted(Paint::bad, "not developable"),
+                               describe(*judgement.witness, recovered.face.surface->knots),
                                terminal.painted(Paint::dim, "replay: " + recovered.replay)));
     return;
   }
   const Paint paint = recovered.singular.empty() ? Paint::good : Paint::doubtful;
-  terminal.print(fmt::format("{}: {}\n{}  {}\n", file, describe(judgement.classification), recovered_text(recovered),
+  terminal.print(fmt::format("{}: {}\n{}  {}\n", title, describe(judgement.classification), recovered_text(recovered),
                              terminal.painted(paint, singular_text(recovered.singular, most_singular))));
 }
 
-int code_of(const std::vector<RecoveredFile>& files) {
-  if (std::ranges::any_of(files, [](const RecoveredFile& f) { return f.error.has_value(); })) {
-    return exit_code::unusable;
-  }
-  const bool all = std::ranges::all_of(files, [](const RecoveredFile& f) { return f.judgement->developable(); });
-  return all ? exit_code::success : exit_code::refuted;
+/// A run that recovered nothing decides nothing.
+int code_of(const std::vector<RecoveredFace>& faces) {
+  const auto any = [&](auto&& property) { return std::ranges::any_of(faces, property); };
+  if (any([](const RecoveredFace& f) { return f.error.has_value(); })) return exit_code::unusable;
+  if (any([](const RecoveredFace& f) { return f.judgement && !f.judgement->developable(); })) return exit_code::refuted;
+  return any([](const RecoveredFace& f) { return f.developable(); }) ? exit_code::success : exit_code::undecided;
 }
 
 int run_recover(const RecoverOptions& options) {
-  std::vector<RecoveredFile> files;
+  std::vector<RecoveredFace> faces;
   const Terminal terminal(stdout);
-  for (const std::string& file : options.files) {
-    files.push_back(recover_file(file));
-    if (files.back().error) {
-      print_error(std::string(files.back().error->what()) + "\n  replay: " + files.back().replay);
-    } else if (options.json != "-") {
-      print_file(terminal, files.back());
+  for (const std::string& file : options.input.files) {
+    for (RecoveredFace& recovered : recover_faces(file, options.input.face)) {
+      if (recovered.error) {
+        print_error(std::string(recovered.error->what()) + "\n  replay: " + recovered.replay);
+      } else if (options.json != "-") {
+        print_face(terminal, recovered);
+      }
+      faces.push_back(std::move(recovered));
     }
   }
-  if (!options.json.empty()) write_file(options.json, json_report(files));
-  return code_of(files);
+  if (!options.json.empty()) write_file(options.json, json_report(faces));
+  return code_of(faces);
 }
 
 }  // namespace
 
 std::function<int()> define_recover(CLI::App& app) {
   const auto options = std::make_shared<RecoverOptions>();
-  app.add_option("FILE", options->files, "developable ruled surfaces in torse's JSON; - is standard input")->required();
+  add_face_inputs(app, options->input, "developable ruled surfaces");
   app.add_option("--json", options->json, "write the results as JSON; - is standard output")->type_name("FILE");
   return [options] { return run_recover(*options); };
 }

@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <utility>
 
 #include "torse/cli/function_report.hpp"
 #include "torse/cli/surface_report.hpp"
 #include "torse/cli/terminal.hpp"
-#include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
 
 namespace torse::cli {
@@ -83,7 +82,7 @@ Json span_json(const RecoveredSpan& span) {
 }
 
 /// The edge of the whole surface; v only where all spans agree. None for a cylinder and where there is no surface.
-std::optional<Edge> common_edge(const RecoveredFile& recovered) {
+std::optional<Edge> common_edge(const RecoveredFace& recovered) {
   if (recovered.judgement->classification.kind == SurfaceClass::cylinder) return std::nullopt;
   std::optional<Edge> common;
   for (const RecoveredSpan& span : recovered.spans) {
@@ -127,45 +126,53 @@ std::string spans_text(const std::vector<RecoveredSpan>& spans) {
   return text;
 }
 
-std::string edge_text(const RecoveredFile& recovered) {
+std::string edge_text(const RecoveredFace& recovered) {
   const std::optional<Edge> edge = common_edge(recovered);
   if (!edge || recovered.judgement->classification.kind == SurfaceClass::cone) return "";
   return fmt::format("  edge of regression (1-v) p + v q of degree {}{}\n", edge->degree,
                      edge->v ? ": v = " + function_text(*edge->v) : "");
 }
 
-}  // namespace
+std::string replay_of(std::vector<std::string> words) {
+  words.insert(words.begin(), {"torse", "recover"});
+  return printable(command_line(words));
+}
 
-RecoveredFile recover_file(const std::string& file) {
-  std::vector<std::string> words{"torse", "recover", file};
-  if (file.starts_with('-') && file != "-") words.insert(words.end() - 1, "--");
-  RecoveredFile result{.file = file,
-                       .name = printable(file == "-" ? file : std::filesystem::path(file).stem().string()),
-                       .replay = printable(command_line(words))};
-  try {
-    const Document document(file, read_file(file));
-    result.surface = read_ruled<Rational>(document);
-  } catch (const FileError& error) {
-    result.error = error;
-    return result;
-  }
-  result.judgement = judge(*result.surface);
+RecoveredFace recover_face(Face face) {
+  RecoveredFace result{.face = std::move(face), .replay = ""};
+  result.replay = replay_of(words_of(result.face));
+  if (!result.face.surface) return result;
+  const RuledFile<Rational>& surface = *result.face.surface;
+  result.judgement = judge(surface);
   if (!result.judgement->developable()) return result;
   const std::vector<Piece> pieces =
-      recover_pieces<Rational>(result.surface->knots, homogeneous(result.surface->c), homogeneous(result.surface->d));
+      recover_pieces<Rational>(surface.knots, homogeneous(surface.c), homogeneous(surface.d));
   result.singular = find_singularities(pieces);
   for (const Piece& piece : pieces) result.spans.push_back({piece, edge_of(piece)});
   return result;
 }
 
-Json recovered_json(const RecoveredFile& recovered) {
+}  // namespace
+
+std::vector<RecoveredFace> recover_faces(const std::string& file, const std::string& choice) {
+  std::vector<RecoveredFace> list;
+  try {
+    for (Face& face : read_faces(file, choice)) list.push_back(recover_face(std::move(face)));
+  } catch (const FileError& error) {
+    list.push_back({.face = {.file = file, .name = name_of_file(file)}, .replay = replay_of(words_of(file, choice))});
+    list.back().error = error;
+  }
+  return list;
+}
+
+Json recovered_json(const RecoveredFace& recovered) {
+  Json json = face_json(recovered.face);
+  if (!recovered.judgement) return json;
   const Judgement& judgement = *recovered.judgement;
-  Json json{{"file", printable(recovered.file)},
-            {"name", recovered.name},
-            {"developable", judgement.developable()},
-            {"class", name_of(judgement.classification.kind)}};
+  json["developable"] = judgement.developable();
+  json["class"] = name_of(judgement.classification.kind);
   if (judgement.witness) {
-    json["witness"] = witness_json(*judgement.witness, recovered.surface->knots);
+    json["witness"] = witness_json(*judgement.witness, recovered.face.surface->knots);
     return json;
   }
   if (judgement.classification.vertex) json["vertex"] = point_json(*judgement.classification.vertex);
@@ -178,7 +185,7 @@ Json recovered_json(const RecoveredFile& recovered) {
   return json;
 }
 
-std::string recovered_text(const RecoveredFile& recovered) {
+std::string recovered_text(const RecoveredFace& recovered) {
   return spans_text(recovered.spans) + edge_text(recovered);
 }
 

@@ -1,6 +1,6 @@
-// What torse recover knows of a file, as JSON and in words.
-//   RecoveredSpan, RecoveredFile     functions, edge and singularities of a surface
-//   recover_file                     from a file      recovered_json, recovered_text     for machines and people
+// What torse recover knows of a face, as JSON and in words.
+//   RecoveredSpan, RecoveredFace     functions, edge and singularities of a surface
+//   recover_faces                    of a file        recovered_json, recovered_text     for machines and people
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "torse/cli/faces.hpp"
 #include "torse/cli/judge.hpp"
 #include "torse/developable/piece_edge.hpp"
 #include "torse/exact/decide/singularities.hpp"
@@ -21,25 +22,26 @@ struct RecoveredSpan {
   std::optional<EdgeOfRegression<Rational>> edge;
 };
 
-/// One file: a surface with all that was recovered (nothing if it is not developable), or an error.
-struct RecoveredFile {
-  std::string file;
-  std::string name;
+/// One face with all that was recovered (nothing if it is not developable or not ruled), or the error of its file.
+struct RecoveredFace {
+  Face face;
   std::string replay;
-  std::optional<RuledFile<Rational>> surface{};
   std::optional<Judgement> judgement{};
   std::vector<RecoveredSpan> spans{};
   std::vector<SingularSet> singular{};
   std::optional<FileError> error{};
+
+  bool developable() const { return judgement.has_value() && judgement->developable(); }
 };
 
-/// Reads a file ("-" is standard input), decides it and recovers its functions.
-RecoveredFile recover_file(const std::string& file);
+/// Reads the faces of a file ("-" is standard input), decides each and recovers its functions; an unreadable file is
+/// one entry with its error.
+std::vector<RecoveredFace> recover_faces(const std::string& file, const std::string& choice);
 
-/// The report on a surface, docs/formats.md. The file has no error.
-nlohmann::ordered_json recovered_json(const RecoveredFile& recovered);
+/// The report on a face, docs/formats.md. It has no error.
+nlohmann::ordered_json recovered_json(const RecoveredFace& recovered);
 
 /// What a person reads of a developable surface: functions, edge, a few lines.
-std::string recovered_text(const RecoveredFile& recovered);
+std::string recovered_text(const RecoveredFace& recovered);
 
 }  // namespace torse::cli

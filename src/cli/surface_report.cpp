@@ -8,6 +8,8 @@
 
 #include "torse/cli/function_report.hpp"
 #include "torse/cli/terminal.hpp"
+#include "torse/developable/classify.hpp"
+#include "torse/io/text.hpp"
 
 namespace torse::cli {
 namespace {
@@ -41,6 +43,13 @@ std::string bound_text(const Bound& bound) {
 }
 
 }  // namespace
+
+Json face_json(const Face& face) {
+  Json json{{"file", printable(face.file)},      {"name", face.name},      {"face", face.number},
+            {"ruled", face.surface.has_value()}, {"developable", nullptr}, {"class", name_of(SurfaceClass::none)}};
+  if (!face.surface) json["remark"] = face.remark;
+  return json;
+}
 
 Json point_json(const Vec<Rational, 3>& x) { return {x[0].text(), x[1].text(), x[2].text()}; }
 

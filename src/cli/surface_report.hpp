@@ -1,4 +1,5 @@
 // What check and recover both say of a surface, as JSON and in words.
+//   face_json                     which face it is
 //   point_json, witness_json      a point, what refutes developability
 //   quick_singularities           of a file
 //   singular_json, singular_text  where the patch is singular
@@ -9,11 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "torse/cli/faces.hpp"
 #include "torse/developable/condition.hpp"
 #include "torse/exact/decide/singularities.hpp"
 #include "torse/io/spline_file.hpp"
 
 namespace torse::cli {
+
+/// {"file", "name", "face", "ruled", "developable": null, "class": "none"}, and "remark" for a face that is not ruled:
+/// what is known of a face before it is judged.
+nlohmann::ordered_json face_json(const Face& face);
 
 /// ["p/q", "p/q", "p/q"].
 nlohmann::ordered_json point_json(const Vec<Rational, 3>& x);

@@ -45,6 +45,9 @@ std::string test_case(const ReportCase& c) {
   const std::string open = "  <testcase classname=\"" + xml(c.suite) + "\" name=\"" + xml(c.name) + "\" time=\"" +
                            seconds_text(c.seconds) + '"';
   if (c.outcome == Outcome::passed) return open + "/>\n";
+  if (c.outcome == Outcome::skipped) {
+    return open + ">\n    <skipped message=\"" + xml(c.message) + "\"/>\n  </testcase>\n";
+  }
   const std::string tag = c.outcome == Outcome::failed ? "failure" : "error";
   const std::string type = c.outcome == Outcome::undecided ? "undecided" : c.rule;
   return open + ">\n    <" + tag + " type=\"" + xml(type) + "\" message=\"" + xml(c.message) + "\">" + xml(c.message) +
@@ -70,8 +73,10 @@ std::string uri(const std::string& path) {
 Json sarif_result(const ReportCase& c) {
   Json place{{"artifactLocation", {{"uri", uri(c.file)}}}};
   if (c.line > 0) place["region"] = {{"startLine", c.line}, {"startColumn", c.column}};
+  const char* level = c.outcome == Outcome::skipped ? "none" : c.outcome == Outcome::undecided ? "warning" : "error";
   return {{"ruleId", c.rule},
-          {"level", c.outcome == Outcome::undecided ? "warning" : "error"},
+          {"kind", c.outcome == Outcome::skipped ? "notApplicable" : "fail"},
+          {"level", level},
           {"message", {{"text", printable(c.name + ": " + c.message + " (replay: " + c.replay + ")")}}},
           {"locations", Json::array({{{"physicalLocation", place}}})}};
 }
@@ -88,8 +93,9 @@ std::string junit_report(const std::vector<ReportCase>& cases) {
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n <testsuite name=\"torse\" tests=\"" +
          std::to_string(cases.size()) + "\" failures=\"" + std::to_string(count(Outcome::failed)) + "\" errors=\"" +
-         std::to_string(count(Outcome::undecided) + count(Outcome::error)) + "\" time=\"" + seconds_text(seconds) +
-         "\">\n" + body + " </testsuite>\n</testsuites>\n";
+         std::to_string(count(Outcome::undecided) + count(Outcome::error)) + "\" skipped=\"" +
+         std::to_string(count(Outcome::skipped)) + "\" time=\"" + seconds_text(seconds) + "\">\n" + body +
+         " </testsuite>\n</testsuites>\n";
 }
 
 std::string sarif_report(const std::vector<ReportCase>& cases, const std::string& version) {

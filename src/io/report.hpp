@@ -9,8 +9,8 @@
 
 namespace torse {
 
-/// What came out of a case: it holds, it does not, it is undecided, or it could not be read.
-enum class Outcome { passed, failed, undecided, error };
+/// What came out of a case: it holds, it does not, it is undecided, it does not apply, or it could not be read.
+enum class Outcome { passed, failed, undecided, skipped, error };
 
 /// One case of a report.
 struct ReportCase {
@@ -31,10 +31,11 @@ struct ReportCase {
   double seconds = 0;
 };
 
-/// One test case for each case: <failure> for failed, <error> for undecided and error.
+/// One test case for each case: <failure> for failed, <error> for undecided and error, <skipped> for skipped.
 std::string junit_report(const std::vector<ReportCase>& cases);
 
-/// A run with one result for each case that has not passed: level "error", or "warning" for undecided.
+/// A run with one result for each case that has not passed: level "error", or "warning" for undecided, or kind
+/// "notApplicable" for skipped.
 std::string sarif_report(const std::vector<ReportCase>& cases, const std::string& version);
 
 }  // namespace torse

@@ -104,6 +104,35 @@ TEST_F(Check, ReportsHoldEveryCaseAndAReplay) {
   EXPECT_EQ(results[1]["locations"][0]["physicalLocation"]["region"]["startLine"], 1);
 }
 
+TEST_F(Check, ALimitIsARuleOfItsOwn) {
+  const std::string sarif = (scratch / "r.sarif").string(), junit = (scratch / "r.xml").string();
+  EXPECT_EQ(run_program({"check", file("twisted", twisted), file("flat", flat), "--max-warp", "5deg", "--sarif", sarif,
+                         "--junit", junit})
+                .exit,
+            1);
+  const json results = json::parse(slurp(sarif))["runs"][0]["results"];
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(results[0]["ruleId"], "max-warp");
+  const std::string message = results[0]["message"]["text"];
+  for (const char* part :
+       {"twisted: not developable", "piece 1, u from 1/3 to 2", "is 1/7", "between 8.1", "degrees"}) {
+    EXPECT_THAT(message, HasSubstr(part));
+    EXPECT_THAT(slurp(junit), HasSubstr(part == std::string("twisted: not developable") ? "name=\"twisted\"" : part));
+  }
+  EXPECT_THAT(message, HasSubstr("replay: torse check --max-warp 5deg "));
+}
+
+TEST_F(Check, AFaceIsChosenByNameOrNumber) {
+  EXPECT_EQ(run_program({"check", file("flat", flat), "--face", "1"}).exit, 0);
+  EXPECT_EQ(run_program({"check", file("flat", flat), "--face", "flat"}).exit, 0);
+  const ProgramResult none = run_program({"check", file("flat", flat), "--face", "2"});
+  EXPECT_EQ(none.exit, 2);
+  EXPECT_THAT(none.err, HasSubstr("expected a face \"2\", found one face: 1 \"flat\""));
+  EXPECT_THAT(none.err, HasSubstr("replay: torse check --face 2 "));
+  EXPECT_EQ(run_program({"recover", file("flat", flat), "--face", "flat"}).exit, 0);
+  EXPECT_EQ(run_program({"recover", file("flat", flat), "--face", "other"}).exit, 2);
+}
+
 TEST_F(Check, StandardOutputIsForOneReader) {
   const ProgramResult json_only = run_program({"check", file("twisted", twisted), "--json", "-"});
   EXPECT_TRUE(json::accept(json_only.out));

@@ -1,0 +1,59 @@
+// The ruled surfaces of an input file, a face each.
+//   Face                          a surface with its name, or why it is none
+//   FaceInput, add_face_inputs    the files and the option --face of a subcommand
+//   read_faces                    the faces of a file that were asked for
+//   name_of_file, title_of        what they are called       words_of    for a command that shows one again
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "torse/exact/rational/rational.hpp"
+#include "torse/io/spline_file.hpp"
+
+namespace torse::cli {
+
+/// A face of a file. torse's JSON holds one; a CAD file holds any number.
+struct Face {
+  std::string file;
+  /// Printable: the file's stem, or the name that the face has in its CAD file.
+  std::string name;
+  /// In the file's order, from 1.
+  std::size_t number = 1;
+  /// How many faces the file has.
+  std::size_t of = 1;
+  /// None for a face that is not ruled; then `remark` says why.
+  std::optional<RuledFile<Rational>> surface{};
+  std::string remark{};
+};
+
+/// What a subcommand takes: files, "-" being standard input, and a face by name or number, empty for all.
+struct FaceInput {
+  std::vector<std::string> files;
+  std::string face;
+};
+
+/// Adds FILE... and --face to a subcommand. `what` describes the files in its help.
+void add_face_inputs(CLI::App& app, FaceInput& input, const std::string& what);
+
+/// The name of a file without folder and extension, printable.
+std::string name_of_file(const std::string& file);
+
+/// What a person reads before a verdict: the file, with the face's name where it has others.
+std::string title_of(const Face& face);
+
+/// The words that name a file and the choice of a face in it on the command line, the file last.
+std::vector<std::string> words_of(const std::string& file, const std::string& choice);
+
+/// The words that name a face.
+std::vector<std::string> words_of(const Face& face);
+
+/// The faces of `file`, or the one that `choice` names or numbers (a name comes first). Throws FileError, also where
+/// there is no such face.
+std::vector<Face> read_faces(const std::string& file, const std::string& choice);
+
+}  // namespace torse::cli
