@@ -3,6 +3,7 @@
 #   torse_options(TARGET)                      warnings, sanitizers and coverage of our own presets
 #   torse_library(TARGET FOLDER LINK ...)      a static library of FOLDER/**/*.cpp (header-only while there is none)
 #   torse_program(TARGET FOLDER NAME N LINK .) the program <build>/N; all but main.cpp is a library, so tests reach it
+#   torse_plugin(TARGET FOLDER OF PROGRAM LINK ...)  a module of FOLDER/**/*.cpp beside the program, which opens it at run time
 #   torse_tests(TARGET FOLDER LINK ...)        one GoogleTest program of FOLDER/**/*.cpp, each test known to ctest
 #   torse_benchmarks(FOLDER LINK ...)          one program for each file
 
@@ -57,6 +58,17 @@ function(torse_program target folder)
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${arg_NAME} RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
     torse_options(${target})
   endif()
+endfunction()
+
+function(torse_plugin target folder)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" OF LINK)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${folder}/*.cpp")
+  add_library(${target} MODULE ${sources})
+  target_link_libraries(${target} PRIVATE ${arg_LINK})
+  set_target_properties(${target} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+                                             LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+  torse_options(${target})
+  add_dependencies(${arg_OF} ${target})
 endfunction()
 
 function(torse_tests target folder)

@@ -2,6 +2,7 @@
 # layers.sh ROOT: every #include under src, exact, proofs and fuzz obeys the layers. Prints each violation; exit 1 if any.
 #   a lower layer never includes a higher one; exact knows scalar and algebra only; nobody but cli includes cli
 #   exact/decide and exact/warp are a layer of their own, above developable and the rest of exact
+#   src/cad, the plugin, knows io only and is included by nobody; it alone may use OpenCASCADE
 #   our own headers have one spelling, "torse/<layer>/..."; everything in quotes is ours
 #   src without cli uses the standard library and Eigen (io: nlohmann too), so no GMP, MPFR, FLINT, Arb or Boost
 set -eu
@@ -18,6 +19,7 @@ BEGIN {
   may["developable"] = may["spline"] " developable"
   may["quasi"] = may["developable"] " quasi"
   may["io"] = may["quasi"] " io"
+  may["cad"] = "io cad"
   may["exact"] = may["algebra"] " exact"
   may["decide"] = may["developable"] " exact decide"
   may["proofs"] = may["fuzz"] = may["io"] " exact decide proofs fuzz"
@@ -31,7 +33,10 @@ function check(layer, name, own,   part) {
     split(name, part, "/")
     if (name ~ /^torse\/exact\/(decide|warp)\//) part[2] = "decide"
     if (index(" " may[layer] " ", " " part[2] " ") == 0) wrong(layer " may not include " name)
-  } else if (where ~ /^src\// && layer != "cli" && name !~ /^[a-z_0-9]+$/ && name !~ /^Eigen\// && !(layer == "io" && name ~ /^nlohmann\//)) {
+  } else if (layer != "cad" && name ~ /\.hxx$/) {
+    wrong("<" name ">: OpenCASCADE is for src/cad")
+  } else if (where ~ /^src\// && layer != "cli" && name !~ /^[a-z_0-9]+$/ && name !~ /^Eigen\// && !(layer == "io" && name ~ /^nlohmann\//) &&
+             !(layer == "cad" && name ~ /^[A-Za-z0-9_]+\.hxx$/)) {
     wrong("<" name "> is not for src/" layer ": the standard library and Eigen only")
   }
 }

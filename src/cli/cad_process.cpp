@@ -1,0 +1,141 @@
+// fork, limits, dlopen in the child, a pipe back.
+#include "torse/cli/cad_process.hpp"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <exception>
+
+namespace torse::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Whether this program runs under AddressSanitizer, whose shadow memory needs more address space than any limit
+/// allows.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
+/// The first byte of an answer.
+constexpr char answer = '+';
+constexpr char refusal = '-';
+
+unsigned seconds_for(std::size_t size) {
+  return limits::cad_seconds + static_cast<unsigned>(size >> 20) * limits::cad_seconds_per_mebibyte;
+}
+
+void set_limit(__rlimit_resource resource, rlim_t most) {
+  const rlimit limit{most, most};
+  setrlimit(resource, &limit);
+}
+
+CadFormats& load(const fs::path& path) {
+  void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) throw Error(std::string("cannot load the plugin: ") + dlerror());
+  const auto entry = reinterpret_cast<CadEntry>(dlsym(library, cad_entry));
+  if (entry == nullptr) throw Error("cannot use the plugin: " + path.string() + " is not torse_cad");
+  return *entry();
+}
+
+void send(int pipe, const std::string& text) {
+  for (std::size_t sent = 0; sent < text.size();) {
+    const ssize_t count = write(pipe, text.data() + sent, text.size() - sent);
+    if (count < 0 && errno != EINTR) _exit(1);
+    if (count > 0) sent += static_cast<std::size_t>(count);
+  }
+}
+
+/// The child: OpenCASCADE talks on standard output, which belongs to the reports.
+[[noreturn]] void serve(int pipe, const fs::path& plugin, unsigned seconds,
+                        const std::function<std::string(CadFormats&)>& task) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  set_limit(RLIMIT_CORE, 0);
+  set_limit(RLIMIT_CPU, seconds);
+  if (!sanitized) set_limit(RLIMIT_AS, limits::cad_memory);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
+  std::string text;
+  try {
+    text = answer + task(load(plugin));
+  } catch (const std::exception& error) {
+    text = refusal + std::string(error.what());
+  }
+  send(pipe, text);
+  _exit(0);
+}
+
+/// What the child sends until it closes the pipe; none if the time runs out.
+std::optional<std::string> receive(int pipe, Clock::time_point deadline) {
+  std::string text;
+  char buffer[1 << 16];
+  for (;;) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) return std::nullopt;
+    pollfd ready{pipe, POLLIN, 0};
+    if (poll(&ready, 1, static_cast<int>(left)) <= 0) continue;
+    const ssize_t count = read(pipe, buffer, sizeof buffer);
+    if (count == 0) return text;
+    if (count > 0) text.append(buffer, static_cast<std::size_t>(count));
+    if (count < 0 && errno != EINTR) return text;
+  }
+}
+
+std::string failure_of(int status, bool in_time, unsigned seconds) {
+  const bool stopped =
+      !in_time || (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL));
+  if (stopped) return "OpenCASCADE fails on it: it did not end in " + std::to_string(seconds) + " seconds";
+  return "OpenCASCADE fails on it: it crashed" +
+         (WIFSIGNALED(status) ? " (" + std::string(strsignal(WTERMSIG(status))) + ")" : std::string());
+}
+
+}  // namespace
+
+std::optional<fs::path> cad_plugin() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& folder : {program, program.parent_path() / "lib/torse"}) {
+    const fs::path plugin = folder / "torse_cad.so";
+    if (fs::exists(plugin, ignored)) return plugin;
+  }
+  return std::nullopt;
+}
+
+std::string run_cad(const std::string& file, std::size_t size, const std::function<std::string(CadFormats&)>& task) {
+  const std::optional<fs::path> plugin = cad_plugin();
+  if (!plugin) {
+    throw FileError(file, "STEP and IGES need the optional part of torse that uses OpenCASCADE: ./x cad builds it");
+  }
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw FileError(file, std::string("cannot be read: ") + std::strerror(errno));
+  const unsigned seconds = seconds_for(size);
+  const pid_t child = fork();
+  if (child == 0) serve(ends[1], *plugin, seconds, task);
+  close(ends[1]);
+  // A busy machine gives the child a part of its time only.
+  const std::optional<std::string> text =
+      child < 0 ? std::nullopt : receive(ends[0], Clock::now() + std::chrono::seconds(4 * seconds));
+  close(ends[0]);
+  if (child < 0) throw FileError(file, std::string("cannot be read: ") + std::strerror(errno));
+  if (!text) kill(child, SIGKILL);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!text || status != 0 || text->empty()) throw FileError(file, failure_of(status, text.has_value(), seconds));
+  if (text->front() != answer) throw FileError(file, text->substr(1));
+  return text->substr(1);
+}
+
+}  // namespace torse::cli

@@ -1,0 +1,123 @@
+// What a STEP or IGES file holds for torse, and the interface of the plugin that reads them, in doubles and the
+// standard library alone: the plugin (src/cad) is the only part of torse that knows OpenCASCADE.
+//   CadRail, CadRails         two curves joined by rulings
+//   CadExtrusion              a curve and a vector
+//   CadRevolution             a straight line that turns about an axis
+//   CadStrip                  one of these, cut to the face's parameters
+//   CadFace, CadModel         the faces of a file
+//   CadFormats                the plugin                     cad_entry      the name of the function that makes it
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace torse {
+
+/// Coordinates in the unit of the file.
+using CadPoint = std::array<double, 3>;
+
+/// A closed interval of parameters.
+struct CadRange {
+  double from = 0;
+  double to = 1;
+};
+
+/// A B-spline curve: the CAD list of knots (points + degree + 1 of them), control points, as many weights.
+struct CadRail {
+  int degree = 1;
+  std::vector<double> knots{};
+  std::vector<CadPoint> points{};
+  std::vector<double> weights{};
+};
+
+/// The rulings join points of equal parameters, each relative to its own curve's domain. Degrees and knots may differ.
+struct CadRails {
+  CadRail c{};
+  CadRail d{};
+};
+
+/// The rulings are translates of one vector: c + s vector, `across` being the range of s.
+struct CadExtrusion {
+  CadRail c{};
+  CadPoint vector{};
+};
+
+/// A point of a meridian: base + radius * radial + height * axis.
+struct CadMeridianEnd {
+  CadPoint base{};
+  double radius = 0;
+  double height = 0;
+};
+
+/// The segment between two points turns about the line through `origin` along `axis`, from the angle `turn.from` to
+/// `turn.to` in radians. Kept as it is, since rotated points in doubles would lie on no cone or cylinder.
+struct CadRevolution {
+  CadPoint origin{};
+  CadPoint axis{};
+  CadPoint radial{};
+  std::array<CadMeridianEnd, 2> meridian{};
+  CadRange turn{};
+};
+
+/// A ruled surface. `along` cuts it to parameters of its first rail and `across` to a part of each ruling (0 at c, 1 at
+/// d); none for the whole. A revolution is cut already.
+struct CadStrip {
+  std::variant<CadRails, CadExtrusion, CadRevolution> surface{};
+  std::optional<CadRange> along{};
+  std::optional<CadRange> across{};
+};
+
+/// An affine map x -> A x + b, its rows (A | b).
+using CadPlacement = std::array<std::array<double, 4>, 3>;
+
+/// The map that leaves everything where it is.
+inline constexpr CadPlacement cad_identity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+/// A face, or a surface that belongs to none.
+struct CadFace {
+  /// From 1, in the order of the file.
+  int number = 0;
+  /// As the file has it, empty for none.
+  std::string name{};
+  /// "plane", "cylinder", "cone", "extrusion", "revolution", "ruled surface", "B-spline surface", "sphere", ...
+  std::string type{};
+  /// The ruled surfaces that it consists of; none for one that is not ruled, and then `reason` says why.
+  std::vector<CadStrip> strips{};
+  std::string reason{};
+  /// What is worth knowing beside the verdict.
+  std::string remark{};
+  /// The developable flag of an IGES ruled surface (entity 118).
+  std::optional<bool> claimed_developable{};
+  /// Whether the rulings of a ruled surface join points of equal relative arc length (entity 118, form 0).
+  bool by_arc_length = false;
+  /// Whether the face covers less than its surface.
+  bool trimmed = false;
+  CadPlacement placement = cad_identity;
+};
+
+/// A file. Lengths are in its own unit.
+struct CadModel {
+  /// "mm", "inch", ..., and the same in metres.
+  std::string unit{};
+  double metres = 0;
+  /// The uncertainty that the file states, in its unit; 0 for none.
+  double tolerance = 0;
+  std::vector<CadFace> faces{};
+};
+
+/// The plugin. Nothing is thrown across this interface.
+class CadFormats {
+ public:
+  virtual ~CadFormats() = default;
+  /// "OpenCASCADE 7.6.3".
+  virtual std::string version() const = 0;
+};
+
+/// The symbol of the plugin, an extern "C" function of this type; the object lives as long as the plugin is loaded.
+inline constexpr const char* cad_entry = "torse_cad_formats";
+using CadEntry = CadFormats* (*)();
+
+}  // namespace torse
