@@ -8,6 +8,7 @@
 
 #include "torse/cli/surface_report.hpp"
 #include "torse/cli/terminal.hpp"
+#include "torse/exact/warp/words.hpp"
 #include "torse/io/text.hpp"
 
 namespace torse::cli {
@@ -19,15 +20,6 @@ std::string replay_of(std::vector<std::string> words, const Demand& demand) {
   if (!demand.typed.empty()) words.insert(words.begin(), {"--max-warp", demand.typed});
   words.insert(words.begin(), {"torse", "check"});
   return printable(command_line(words));
-}
-
-/// Six digits, rounded away from the enclosure: half a unit of the sixth digit is at most 5e-6 of the value.
-std::string rounded_out(double bound, bool up) { return fmt::format("{:.6g}", bound * (up ? 1 + 6e-6 : 1 - 6e-6)); }
-
-std::string warp_text(const WarpEnclosure& warp) {
-  return fmt::format("the largest warp angle is between {} and {} degrees, at u = {} in piece {}",
-                     rounded_out(warp.lower, false), rounded_out(warp.upper, true), short_number(warp.parameter),
-                     warp.piece);
 }
 
 struct Rule {
@@ -102,7 +94,7 @@ std::string verdict_of(const CheckedFace& checked) {
 std::vector<std::string> findings(const CheckedFace& checked) {
   if (!checked.face.surface) return {checked.face.remark};
   if (checked.judgement->developable()) return {describe(checked.judgement->classification)};
-  return {describe(*checked.judgement->witness, checked.face.surface->knots), warp_text(checked.warp.enclosure)};
+  return {describe(*checked.judgement->witness, checked.face.surface->knots), describe(checked.warp.enclosure)};
 }
 
 ReportCase case_of(const CheckedFace& checked, const Demand& demand) {

@@ -1,5 +1,6 @@
 // From the input of `torse construct` to the library's constructions.
 #include "torse/cli/construct_methods.hpp"
+#include "torse/exact/decide/words.hpp"
 
 #include <utility>
 

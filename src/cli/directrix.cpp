@@ -8,6 +8,7 @@
 #include "torse/cli/construct_methods.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/developable/directrix.hpp"
+#include "torse/exact/decide/words.hpp"
 
 namespace torse::cli {
 namespace {

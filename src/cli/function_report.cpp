@@ -1,5 +1,6 @@
 // Integer coefficients by GMP.
 #include "torse/cli/function_report.hpp"
+#include "torse/exact/decide/words.hpp"
 
 #include <gmp.h>
 

@@ -11,6 +11,7 @@
 #include "torse/cli/terminal.hpp"
 #include "torse/developable/interpolation.hpp"
 #include "torse/developable/special.hpp"
+#include "torse/exact/decide/words.hpp"
 #include "torse/exact/roots/real_roots.hpp"
 
 namespace torse::cli {

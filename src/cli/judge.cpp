@@ -1,7 +1,6 @@
 // The one place where the program asks the oracle.
 #include "torse/cli/judge.hpp"
 
-#include "torse/cli/terminal.hpp"
 #include "torse/exact/decide/decide.hpp"
 
 namespace torse::cli {
@@ -23,12 +22,6 @@ Judgement judge(const RuledFile<Rational>& surface) {
                  : find_witness_over_q<4>(surface.knots, p, q);
   if (witness) return {{SurfaceClass::none}, std::move(witness)};
   return {classify<Rational>(surface.knots, p, q), std::nullopt};
-}
-
-std::string describe(const DevelopabilityWitness<Rational>& witness, const KnotList<Rational>& knots) {
-  return "piece " + std::to_string(witness.piece) + ", u from " + short_number(knots.piece_begin(witness.piece)) +
-         " to " + short_number(knots.piece_end(witness.piece)) + ": coefficient " +
-         std::to_string(witness.coefficient) + " of the determinant is " + short_number(witness.value);
 }
 
 std::string describe(const Classification<Rational>& classification) {

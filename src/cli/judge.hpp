@@ -8,6 +8,7 @@
 
 #include "torse/developable/classify.hpp"
 #include "torse/developable/condition.hpp"
+#include "torse/exact/decide/words.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/io/spline_file.hpp"
 
@@ -24,9 +25,6 @@ struct Judgement {
 /// Decides a surface exactly: the affine determinant of degree 3(n-1) if all weights are 1, else the homogeneous one of
 /// degree 4(n-1).
 Judgement judge(const RuledFile<Rational>& surface);
-
-/// The witness in words: "piece 2, u from 1/3 to 1: coefficient 3 of the determinant is -1/7".
-std::string describe(const DevelopabilityWitness<Rational>& witness, const KnotList<Rational>& knots);
 
 /// The class in words, with its vertex or direction: "cone, vertex (0, 1/2, 3)".
 std::string describe(const Classification<Rational>& classification);

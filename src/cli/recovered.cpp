@@ -1,5 +1,6 @@
 // JSON and words for recovered functions.
 #include "torse/cli/recovered.hpp"
+#include "torse/exact/decide/words.hpp"
 
 #include <fmt/format.h>
 

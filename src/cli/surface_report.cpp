@@ -1,5 +1,6 @@
 // JSON and words for points, witnesses and singularities.
 #include "torse/cli/surface_report.hpp"
+#include "torse/exact/decide/words.hpp"
 
 #include <fmt/format.h>
 

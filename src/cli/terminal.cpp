@@ -4,8 +4,9 @@
 #include <fmt/color.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdlib>
+
+#include "torse/scalar/errors.hpp"
 
 namespace torse::cli {
 namespace {
@@ -64,15 +65,6 @@ std::string command_line(const std::vector<std::string>& words) {
     line += '\'';
   }
   return line;
-}
-
-std::string short_number(const Rational& x) {
-  constexpr std::size_t longest_bits = 80;
-  if (x.numerator_bits() + x.denominator_bits() <= longest_bits) return x.text();
-  const double value = x.to_double();
-  if (std::isnormal(value)) return fmt::format("about {:.6g}", value);
-  const long exponent = static_cast<long>(x.numerator_bits()) - static_cast<long>(x.denominator_bits());
-  return fmt::format("about {}2^{}", x.sign() < 0 ? "-" : "", exponent);
 }
 
 }  // namespace torse::cli

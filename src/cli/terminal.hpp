@@ -1,16 +1,13 @@
-// What a person sees: colours on a terminal only, commands to type again, short numbers.
+// What a person sees: colours on a terminal only, commands to type again.
 //   Paint, Terminal      coloured words
 //   print_error          a line on standard error
 //   command_line         words as a shell takes them
-//   short_number         an exact number in at most about 24 characters
 #pragma once
 
 #include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "torse/exact/rational/rational.hpp"
 
 namespace torse::cli {
 
@@ -37,9 +34,5 @@ void print_error(const std::string& message);
 
 /// The words joined by blanks, quoted for a POSIX shell where that is needed.
 std::string command_line(const std::vector<std::string>& words);
-
-/// The number itself if it is short, else "about" its value to six digits, or a power of two beyond the range of
-/// double.
-std::string short_number(const Rational& x);
 
 }  // namespace torse::cli

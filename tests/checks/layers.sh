@@ -1,7 +1,7 @@
 #!/bin/sh
 # layers.sh ROOT: every #include under src, exact, proofs and fuzz obeys the layers. Prints each violation; exit 1 if any.
 #   a lower layer never includes a higher one; exact knows scalar and algebra only; nobody but cli includes cli
-#   exact/decide and exact/warp are a layer of their own, above developable and the rest of exact
+#   exact/decide and the other folders of exact that are no arithmetics are a layer of their own, above developable and exact
 #   src/cad, the plugin, knows io only and is included by nobody; it alone may use OpenCASCADE
 #   our own headers have one spelling, "torse/<layer>/..."; everything in quotes is ours
 #   src without cli uses the standard library and Eigen (io: nlohmann too), so no GMP, MPFR, FLINT, Arb or Boost
@@ -25,13 +25,14 @@ BEGIN {
   may["proofs"] = may["fuzz"] = may["io"] " exact decide proofs fuzz"
   may["cli"] = may["proofs"] " cli"
 }
+function arithmetic(folder) { return folder ~ /^(ball|bigfloat|instrumented|modular|rational|roots|symbolic)$/ }
 function wrong(reason) { print file ":" row ": " reason; ++violations }
 function check(layer, name, own,   part) {
   if (own && name !~ /^torse\//) { wrong("\"" name "\": our headers are spelled \"torse/<layer>/...\", others <...>"); return }
   if (!own && name ~ /^torse\//) { wrong("<" name ">: our headers are in quotes"); return }
   if (own) {
     split(name, part, "/")
-    if (name ~ /^torse\/exact\/(decide|warp)\//) part[2] = "decide"
+    if (part[2] == "exact" && !arithmetic(part[3])) part[2] = "decide"
     if (index(" " may[layer] " ", " " part[2] " ") == 0) wrong(layer " may not include " name)
   } else if (layer != "cad" && name ~ /\.hxx$/) {
     wrong("<" name ">: OpenCASCADE is for src/cad")
@@ -44,7 +45,8 @@ function check(layer, name, own,   part) {
   file = where = $0
   layer = where
   sub(/^src\//, "", layer)
-  sub(/^exact\/(decide|warp)\//, "decide/", layer)
+  split(layer, part, "/")
+  if (part[1] == "exact" && !arithmetic(part[2])) layer = "decide"
   sub(/\/.*/, "", layer)
   if (!(layer in may)) { row = 1; wrong("no such layer: " layer); next }
   ++files

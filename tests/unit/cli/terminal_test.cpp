@@ -1,4 +1,4 @@
-// Words for a shell, short numbers, the version.
+// Words for a shell, colours, the version.
 #include "torse/cli/terminal.hpp"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,6 @@ namespace {
 TEST(Terminal, CommandLinesSurviveAShell) {
   EXPECT_EQ(command_line({"torse", "check", "a-b/c_1.json"}), "torse check a-b/c_1.json");
   EXPECT_EQ(command_line({"a b", "", "it's", "$x;*"}), "'a b' '' 'it'\\''s' '$x;*'");
-}
-
-TEST(Terminal, ShortNumbersAreExactOrSayAbout) {
-  EXPECT_EQ(short_number(Rational::from_text("-123456789/1000")), "-123456789/1000");
-  EXPECT_EQ(short_number(Rational::from_text("1/1000000000000000000000000000000")), "about 1e-30");
-  Rational huge(-3);
-  for (int i = 0; i < 12; ++i) huge *= Rational(huge);
-  EXPECT_EQ(short_number(huge).substr(0, 8), "about 2^");
 }
 
 TEST(Terminal, NoColoursInAFile) {
