@@ -4,6 +4,7 @@
 //   Equations<S>     what a claim asserts of one input: sides that must agree, values that must vanish or be positive
 //   Size             degree n and number of pieces N
 //   Mutant           0 for the claim itself, i for its i-th wrong variant
+//   Takes            the inputs of a claim that shares them with others
 // A claim is a struct C with
 //   static const ClaimInfo& info();
 //   static constexpr PointKind points; static constexpr int dimension;
@@ -165,6 +166,17 @@ class Equations {
  private:
   std::vector<Equation<S>> equations_;
   std::vector<S> positive_;
+};
+
+/// In and draw of a claim whose free parameters are an Input<S, P>, which draws itself.
+template <template <class, class> class Input>
+struct Takes {
+  template <class S, class P>
+  using In = Input<S, P>;
+  template <class S, class P>
+  static In<S, P> draw(Source<S>& from, Size size) {
+    return Input<S, P>::draw(from, size);
+  }
 };
 
 }  // namespace torse::proofs

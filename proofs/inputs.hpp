@@ -18,10 +18,12 @@ struct NetInput {
   P d0;
   S lambda;
   S m;
+
+  static NetInput draw(Source<S>& from, Size size);
 };
 
 template <class S, class P>
-NetInput<S, P> draw_net(Source<S>& from, Size size) {
+NetInput<S, P> NetInput<S, P>::draw(Source<S>& from, Size size) {
   KnotList<S> u(size.n, from.knots(size));
   std::vector<P> c = from.template points<P>(size.last() + 1);
   P d0 = from.template point<P>();

@@ -21,12 +21,14 @@ struct AumannInput {
   S lambda;
   S m;
   S t;
+
+  static AumannInput draw(Source<S>& from, Size size);
 };
 
 inline constexpr Hypothesis m_not_zero{"M is not 0: the relation then leaves D_{i+1} undetermined", false};
 
 template <class S, class P>
-AumannInput<S, P> draw_aumann(Source<S>& from, Size size) {
+AumannInput<S, P> AumannInput<S, P>::draw(Source<S>& from, Size size) {
   std::vector<P> c = from.template points<P>(size.n + 1);
   P d0 = from.template point<P>();
   S lambda = from.scalar();
@@ -34,14 +36,21 @@ AumannInput<S, P> draw_aumann(Source<S>& from, Size size) {
   return {std::move(c), std::move(d0), std::move(lambda), std::move(m), from.scalar()};
 }
 
-template <class S, class P>
-std::vector<Failure<AumannInput<S, P>>> aumann_failures() {
-  const NetInput<S, P> net = example_net<S, P>(0);
-  return {{0, {net.c, net.d0, net.lambda, net.m, from_int<S>(4)}}};
-}
+/// Hypothesis and failure of the claims on one Bezier piece.
+struct AumannClaim : Takes<AumannInput> {
+  template <class S, class P>
+  static NonZero<S> nonzero(const In<S, P>& in) {
+    return {{in.m}};
+  }
+  template <class S, class P>
+  static std::vector<Failure<In<S, P>>> failures() {
+    const NetInput<S, P> net = example_net<S, P>(0);
+    return {{0, {net.c, net.d0, net.lambda, net.m, from_int<S>(4)}}};
+  }
+};
 
 /// FJ07.12: Aumann's relation from blossoms.
-struct Eq12 {
+struct Eq12 : AumannClaim {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
   static const ClaimInfo& info() {
@@ -57,21 +66,6 @@ $D_{i+1}=(1-\lambda-\mu)C_i+\lambda C_{i+1}+\mu D_i$ with $\lambda=\Lambda/M$, $
         .mutants = {"Lam and M exchanged", "lam and mu exchanged", "1 - Lam in the place of Lam"},
         .max_pieces = 1};
     return value;
-  }
-
-  template <class S, class P>
-  using In = AumannInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_aumann<S, P>(from, size);
-  }
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>& in) {
-    return {{in.m}};
-  }
-  template <class S, class P>
-  static std::vector<Failure<In<S, P>>> failures() {
-    return aumann_failures<S, P>();
   }
 
   template <class S, class P>
@@ -101,7 +95,7 @@ $D_{i+1}=(1-\lambda-\mu)C_i+\lambda C_{i+1}+\mu D_i$ with $\lambda=\Lambda/M$, $
 };
 
 /// FJ07.C1: cells with one barycentric combination make a developable Bezier surface.
-struct Corollary1 {
+struct Corollary1 : AumannClaim {
   static constexpr PointKind points = PointKind::coplanar;
   static constexpr int dimension = 3;
   static const ClaimInfo& info() {
@@ -120,21 +114,6 @@ with $D_i-C_i=(1-1/M)^i(D_0-C_0)$.)",
             "Plane cells alone do not suffice, nor does every developable surface have them with one combination. For "
             "cones the paper prints Lam as the ratio of the sides; the ratio is alpha of (6)."};
     return value;
-  }
-
-  template <class S, class P>
-  using In = AumannInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_aumann<S, P>(from, size);
-  }
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>& in) {
-    return {{in.m}};
-  }
-  template <class S, class P>
-  static std::vector<Failure<In<S, P>>> failures() {
-    return aumann_failures<S, P>();
   }
 
   template <class S, class P>
@@ -159,7 +138,7 @@ with $D_i-C_i=(1-1/M)^i(D_0-C_0)$.)",
 };
 
 /// FJ07.19: the Bezier nets of the pieces of a developable spline.
-struct Eq19 {
+struct Eq19 : NetClaim {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
   static const ClaimInfo& info() {
@@ -174,21 +153,6 @@ the pieces of that spline.)",
         .hypotheses = {off_before_last, off_from_last},
         .mutants = {"Lam_k and M_k exchanged", "Lam_k of the whole domain", "pieces started at D_1"}};
     return value;
-  }
-
-  template <class S, class P>
-  using In = NetInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_net<S, P>(from, size);
-  }
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>& in) {
-    return {before_last(in.u, in.m), from_last(in.u, in.m)};
-  }
-  template <class S, class P>
-  static std::vector<Failure<In<S, P>>> failures() {
-    return net_failures<S, P>();
   }
 
   template <class S, class P>

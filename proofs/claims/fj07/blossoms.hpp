@@ -12,7 +12,7 @@
 namespace torse::proofs::fj07 {
 
 /// FJ07.9: the tangents at c(t) and d(t) meet where c[t^<n-1>, L*] = d[t^<n-1>, M*].
-struct Eq9 {
+struct Eq9 : NetClaimAt {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
   static const ClaimInfo& info() {
@@ -28,26 +28,6 @@ and $d_1^{n-1}=(1-\lambda-\mu)c_0^{n-1}+\lambda c_1^{n-1}+\mu d_0^{n-1}$, $\lamb
         .mutants = {"L* and M* exchanged", "derivatives without 1/n", "lambda and mu exchanged"},
         .remark = "Cones have no such L*, M*: their tangents along a ruling are parallel. The paper says so."};
     return value;
-  }
-
-  template <class S, class P>
-  struct In {
-    NetInput<S, P> net;
-    S t;
-  };
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    NetInput<S, P> net = draw_net<S, P>(from, size);
-    return {std::move(net), from.scalar()};
-  }
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>& in) {
-    return {before_last(in.net.u, in.net.m), from_last(in.net.u, in.net.m)};
-  }
-  template <class S, class P>
-  static std::vector<Failure<In<S, P>>> failures() {
-    return {{0, {example_net<S, P>(1), from_int<S>(4)}}, {1, {example_net<S, P>(2), from_int<S>(4)}}};
   }
 
   template <class S, class P>

@@ -19,6 +19,8 @@ struct CellInput {
   P d0;
   Cell<S> first;
   S t;
+
+  static CellInput draw(Source<S>& from, Size size);
 };
 
 /// F(x) = l_1 (u_n-u_0) + (1-m_1)(u_0-x) and E(x) = (u_n-u_0) + (1-m_1)(u_0-x): for m_1 != 1 they are (1-m_1)(L*-x) and
@@ -41,7 +43,7 @@ inline constexpr Hypothesis cell_denominators{
     false};
 
 template <class S, class P>
-CellInput<S, P> draw_cells(Source<S>& from, Size size) {
+CellInput<S, P> CellInput<S, P>::draw(Source<S>& from, Size size) {
   KnotList<S> u(size.n, from.knots(size));
   std::vector<P> c = from.template points<P>(size.last() + 1);
   P d0 = from.template point<P>();
@@ -50,23 +52,24 @@ CellInput<S, P> draw_cells(Source<S>& from, Size size) {
   return {std::move(u), std::move(c), std::move(d0), {std::move(l), std::move(m)}, from.scalar()};
 }
 
-template <class S, class P>
-NonZero<S> cell_hypotheses(const CellInput<S, P>& in) {
-  std::vector<S> factors;
-  for (int j = 1; j < in.u.last(); ++j)
-    factors.push_back(in.u[in.u.degree()] - in.u[j] + in.first.m * (in.u[j] - in.u[0]));
-  return {std::move(factors)};
-}
-
-/// M* = u_1: m_1 = -1 over the knots 0, 1, 2, 3.
-template <class S, class P>
-std::vector<Failure<CellInput<S, P>>> cell_failures() {
-  const NetInput<S, P> net = example_net<S, P>(5);
-  return {{0, {net.u, net.c, net.d0, {from_int<S>(3), from_int<S>(-1)}, from_int<S>(4)}}};
-}
+/// Hypothesis and failure of the claims on cells: M* = u_1, which is m_1 = -1 over the knots 0, 1, 2, 3.
+struct CellClaim : Takes<CellInput> {
+  template <class S, class P>
+  static NonZero<S> nonzero(const In<S, P>& in) {
+    const int n = in.u.degree();
+    std::vector<S> factors;
+    for (int j = 1; j < in.u.last(); ++j) factors.push_back(in.u[n] - in.u[j] + in.first.m * (in.u[j] - in.u[0]));
+    return {std::move(factors)};
+  }
+  template <class S, class P>
+  static std::vector<Failure<In<S, P>>> failures() {
+    const NetInput<S, P> net = example_net<S, P>(5);
+    return {{0, {net.u, net.c, net.d0, {from_int<S>(3), from_int<S>(-1)}, from_int<S>(4)}}};
+  }
+};
 
 /// FJ07.8: the cells of a quadratic developable spline.
-struct Eq8 {
+struct Eq8 : CellClaim {
   static constexpr PointKind points = PointKind::coplanar;
   static constexpr int dimension = 3;
   static const ClaimInfo& info() {
@@ -82,21 +85,6 @@ $(l_1,m_1)$, each piece's Bezier net has cells with one barycentric combination,
         .min_degree = 2,
         .max_degree = 2};
     return value;
-  }
-
-  template <class S, class P>
-  using In = CellInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_cells<S, P>(from, size);
-  }
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>& in) {
-    return cell_hypotheses(in);
-  }
-  template <class S, class P>
-  static std::vector<Failure<In<S, P>>> failures() {
-    return cell_failures<S, P>();
   }
 
   template <class S, class P>
@@ -134,7 +122,7 @@ $(l_1,m_1)$, each piece's Bezier net has cells with one barycentric combination,
 };
 
 /// FJ07.18: the cells of a developable spline of any degree; cylinders and cones propagate.
-struct Eq18 {
+struct Eq18 : CellClaim {
   static constexpr PointKind points = PointKind::coplanar;
   static constexpr int dimension = 3;
   static const ClaimInfo& info() {
@@ -152,21 +140,6 @@ net is developable.)",
                     "one cell repeated"},
         .remark = "F and E are (1-m_1)(L*-x) and (1-m_1)(M*-x) where L*, M* exist; for a cone they are constant."};
     return value;
-  }
-
-  template <class S, class P>
-  using In = CellInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_cells<S, P>(from, size);
-  }
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>& in) {
-    return cell_hypotheses(in);
-  }
-  template <class S, class P>
-  static std::vector<Failure<In<S, P>>> failures() {
-    return cell_failures<S, P>();
   }
 
   template <class S, class P>

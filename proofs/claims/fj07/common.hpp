@@ -3,6 +3,7 @@
 //   require_coplanar         the surface is developable at a parameter of every piece
 //   RuledJets                two curves given by their Taylor expansions at one parameter
 //   example_knots, example_points, example_net      fixed inputs for the failures without a hypothesis
+//   NetClaim, NetClaimAt     inputs, hypotheses and failures of claims about the net of (13)
 #pragma once
 
 #include <array>
@@ -133,10 +134,47 @@ NetInput<S, P> example_net(std::int64_t m) {
   return {example_knots<S>(2, {0, 1, 2, 3}), std::move(points), std::move(d0), from_int<S>(7), from_int<S>(m)};
 }
 
-/// M* at the knot u_1, at the knot u_L.
+/// Inputs, hypotheses and failures (M* at the knot u_1, at the knot u_L) of a claim about the net of (13).
+struct NetClaim : Takes<NetInput> {
+  template <class S, class P>
+  static NonZero<S> nonzero(const In<S, P>& in) {
+    return {before_last(in.u, in.m), from_last(in.u, in.m)};
+  }
+  template <class S, class P>
+  static std::vector<Failure<In<S, P>>> failures() {
+    return {{0, example_net<S, P>(1)}, {1, example_net<S, P>(2)}};
+  }
+};
+
+/// A net and a parameter.
 template <class S, class P>
-std::vector<Failure<NetInput<S, P>>> net_failures() {
-  return {{0, example_net<S, P>(1)}, {1, example_net<S, P>(2)}};
+struct NetAtInput {
+  NetInput<S, P> net;
+  S t;
+
+  static NetAtInput draw(Source<S>& from, Size size);
+};
+
+template <class S, class P>
+NetAtInput<S, P> NetAtInput<S, P>::draw(Source<S>& from, Size size) {
+  NetInput<S, P> net = NetInput<S, P>::draw(from, size);
+  return {std::move(net), from.scalar()};
 }
+
+/// The same of a claim about that net at a parameter.
+struct NetClaimAt : Takes<NetAtInput> {
+  template <class S, class P>
+  static NonZero<S> nonzero(const In<S, P>& in) {
+    return NetClaim::nonzero<S, P>(in.net);
+  }
+  template <class S, class P>
+  static std::vector<Failure<In<S, P>>> failures() {
+    std::vector<Failure<In<S, P>>> list;
+    for (Failure<NetInput<S, P>>& failure : NetClaim::failures<S, P>()) {
+      list.push_back({failure.hypothesis, {std::move(failure.in), from_int<S>(4)}});
+    }
+    return list;
+  }
+};
 
 }  // namespace torse::proofs::fj07

@@ -11,7 +11,7 @@
 namespace torse::proofs::fj07 {
 
 /// FJ07.13: the net of the linear recursion obeys (13) and its surface is developable.
-struct Eq13 {
+struct Eq13 : NetClaimAt {
   static constexpr PointKind points = PointKind::coplanar;
   static constexpr int dimension = 3;
   static const ClaimInfo& info() {
@@ -32,26 +32,6 @@ developable.)",
   }
 
   template <class S, class P>
-  struct In {
-    NetInput<S, P> net;
-    S t;
-  };
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    NetInput<S, P> net = draw_net<S, P>(from, size);
-    return {std::move(net), from.scalar()};
-  }
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>& in) {
-    return {before_last(in.net.u, in.net.m), from_last(in.net.u, in.net.m)};
-  }
-  template <class S, class P>
-  static std::vector<Failure<In<S, P>>> failures() {
-    return {{0, {example_net<S, P>(1), from_int<S>(4)}}, {1, {example_net<S, P>(2), from_int<S>(4)}}};
-  }
-
-  template <class S, class P>
   static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
     const auto& [u, c, d0, lambda, m] = in.net;
     std::vector<P> d = linear_net<S, P>(u, c, lambda, m, d0);
@@ -69,25 +49,10 @@ developable.)",
   }
 };
 
-/// What the closed forms share: inputs, hypotheses and failures.
-struct ClosedForm {
+/// The closed forms are linear in the points.
+struct ClosedForm : NetClaim {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
-
-  template <class S, class P>
-  using In = NetInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_net<S, P>(from, size);
-  }
-  template <class S, class P>
-  static NonZero<S> nonzero(const In<S, P>& in) {
-    return {before_last(in.u, in.m), from_last(in.u, in.m)};
-  }
-  template <class S, class P>
-  static std::vector<Failure<In<S, P>>> failures() {
-    return net_failures<S, P>();
-  }
 };
 
 /// FJ07.14: the closed form of d_N, against the recursion (13), for every vertex.

@@ -39,7 +39,7 @@ $\tilde\Lambda^*=M^*+\beta(\Lambda^*-M^*)$; and $c$ is the net of (13) through $
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    NetInput<S, P> net = draw_net<S, P>(from, size);
+    NetInput<S, P> net = NetInput<S, P>::draw(from, size);
     return {std::move(net), from.scalar()};
   }
   template <class S, class P>

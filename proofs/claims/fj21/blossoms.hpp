@@ -102,7 +102,7 @@ p'-\lambda W-\mu W'-\nu p=(n(1+\mu)+t(\lambda-\nu))p_1+((1-t)(\lambda-\nu)-n(1+\
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    return {draw_pair<S, P>(from, size)};
+    return {PairInput<S, P>::draw(from, size)};
   }
 
   template <class S, class P>

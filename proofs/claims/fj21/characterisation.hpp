@@ -79,7 +79,7 @@ struct Eq3_3 {
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
     Coefficients<S> k = draw_coefficients(from);
-    return {std::move(k), draw_pair<S, P>(from, size)};
+    return {std::move(k), PairInput<S, P>::draw(from, size)};
   }
 
   template <class S, class P>

@@ -74,7 +74,7 @@ K=-\frac{[b_{tv},b_t,b_v]^2}{|b_t\times b_v|^4})",
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    LocalInput<S, P> pair = draw_local<S, P>(from, size);
+    LocalInput<S, P> pair = LocalInput<S, P>::draw(from, size);
     return {std::move(pair), from.scalar()};
   }
 
@@ -105,7 +105,7 @@ K=-\frac{[b_{tv},b_t,b_v]^2}{|b_t\times b_v|^4})",
 };
 
 /// FJ21.P3.1: (2.1) against the volume of the last but one points of de Casteljau's algorithm.
-struct P3_1 {
+struct P3_1 : Takes<LocalInput> {
   static constexpr PointKind points = PointKind::space;
   static constexpr int dimension = 4;
   static const ClaimInfo& info() {
@@ -125,14 +125,6 @@ struct P3_1 {
             "Corollary "
             "3.1 still holds there."};
     return info;
-  }
-
-  template <class S, class P>
-  using In = LocalInput<S, P>;
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_local<S, P>(from, size);
   }
 
   template <class S, class P>
@@ -172,7 +164,7 @@ struct P3_1 {
 };
 
 /// FJ21.C3.1: the determinant of the last but one rows: a polynomial of degree 4(n-1), and (2.1) up to weights.
-struct C3_1 {
+struct C3_1 : Takes<LocalInput> {
   static constexpr PointKind points = PointKind::space;
   static constexpr int dimension = 4;
   static const ClaimInfo& info() {
@@ -191,14 +183,6 @@ struct C3_1 {
             "The determinant vanishes at a zero of w or omega only if the homogeneous rows are dependent there: a "
             "polynomial identity, so such parameters need no exception in the statement for all t."};
     return info;
-  }
-
-  template <class S, class P>
-  using In = LocalInput<S, P>;
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_local<S, P>(from, size);
   }
 
   template <class S, class P>

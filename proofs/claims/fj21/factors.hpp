@@ -17,11 +17,13 @@ struct FactorInput {
   BlossomFunctions<S> raised;  ///< Lam~, M~, sigma~
   Linear<S> f;
   Linear<S> g;
+
+  static FactorInput draw(Source<S>& from, Size size);
 };
 
 template <class S, class P>
-FactorInput<S, P> draw_factors(Source<S>& from, Size size) {
-  PairInput<S, P> pair = draw_pair<S, P>(from, size);
+FactorInput<S, P> FactorInput<S, P>::draw(Source<S>& from, Size size) {
+  PairInput<S, P> pair = PairInput<S, P>::draw(from, size);
   BlossomFunctions<S> raised = draw_functions(from);
   S f0 = from.scalar();
   S f1 = from.scalar();
@@ -47,7 +49,7 @@ S lowered_sum(int n, const Linear<S>& f, const S& t, const S& x) {
 }
 
 /// FJ21.5.3 as printed, its inverse, and the case f = g = 1.
-struct Eq5_3 {
+struct Eq5_3 : Takes<FactorInput> {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 4;
   static const ClaimInfo& info() {
@@ -76,14 +78,6 @@ M=\frac{ng(t)\tilde M+g(\tilde M)t}{ng(t)+g(\tilde M)},\
             "(n f(t) + f_1 (t - Lam)), M~ likewise with g. For f = g = 1: Lam~ = ((n+1) Lam - t)/n and sigma~ = sigma, "
             "so constant functions do not stay constant."};
     return info;
-  }
-
-  template <class S, class P>
-  using In = FactorInput<S, P>;
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_factors<S, P>(from, size);
   }
 
   template <class S, class P>
@@ -147,7 +141,7 @@ M=\frac{ng(t)\tilde M+g(\tilde M)t}{ng(t)+g(\tilde M)},\
 };
 
 /// FJ21.5.4 as printed, its inverse, and the cases f = g and f = sigma = 1.
-struct Eq5_4 {
+struct Eq5_4 : Takes<FactorInput> {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 4;
   static const ClaimInfo& info() {
@@ -179,14 +173,6 @@ G=ng(t)+g(\tilde M),\ H=f(\tilde\Lambda)+nf(t)+\tilde\sigma(g(\tilde M)-f(\tilde
             "and "
             "sigma~ = 1 also sigma = 1."};
     return info;
-  }
-
-  template <class S, class P>
-  using In = FactorInput<S, P>;
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_factors<S, P>(from, size);
   }
 
   template <class S>

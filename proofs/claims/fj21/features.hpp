@@ -41,7 +41,7 @@ struct W {
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    PairInput<S, P> pair = draw_pair<S, P>(from, size);
+    PairInput<S, P> pair = PairInput<S, P>::draw(from, size);
     S alpha = from.scalar();
     return {std::move(pair), std::move(alpha), from.scalar()};
   }
@@ -182,7 +182,7 @@ struct Eq5_2 {
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    PairInput<S, P> pair = draw_pair<S, P>(from, size);
+    PairInput<S, P> pair = PairInput<S, P>::draw(from, size);
     return {std::move(pair), from.scalar()};
   }
 

@@ -125,7 +125,7 @@ p'-\lambda W-\mu W'-\nu p=\tfrac nE\bigl(p[t^{<n-1>},\Lambda]-\sigma q[t^{<n-1>}
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    PairInput<S, P> pair = draw_pair<S, P>(from, size);
+    PairInput<S, P> pair = PairInput<S, P>::draw(from, size);
     return {std::move(pair), draw_frame(from)};
   }
 

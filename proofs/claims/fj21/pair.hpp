@@ -96,10 +96,12 @@ struct PairInput {
   std::vector<P> q;
   S t;
   BlossomFunctions<S> f;
+
+  static PairInput draw(Source<S>& from, Size size);
 };
 
 template <class S, class P>
-PairInput<S, P> draw_pair(Source<S>& from, Size size) {
+PairInput<S, P> PairInput<S, P>::draw(Source<S>& from, Size size) {
   std::vector<P> p = from.template points<P>(size.n + 1);
   std::vector<P> q = from.template points<P>(size.n + 1);
   S t = from.scalar();
@@ -172,10 +174,12 @@ struct LocalInput {
   std::vector<P> p;
   std::vector<P> q;
   S t;
+
+  static LocalInput draw(Source<S>& from, Size size);
 };
 
 template <class S, class P>
-LocalInput<S, P> draw_local(Source<S>& from, Size size) {
+LocalInput<S, P> LocalInput<S, P>::draw(Source<S>& from, Size size) {
   const std::vector<P> p = from.template points<P>(size.n + 1);
   const std::vector<P> q = from.template points<P>(size.n + 1);
   S t = from.scalar();

@@ -18,7 +18,7 @@ S edge_denominator(const S& t, const BlossomFunctions<S>& f) {
 }
 
 /// FJ21.6: at v(t) the derivative along a coordinate line is alpha W + beta r; alpha, beta against Lam, M, sigma.
-struct Eq6 {
+struct Eq6 : Takes<PairInput> {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 4;
   static const ClaimInfo& info() {
@@ -42,14 +42,6 @@ v=\frac{\sigma(t-M)}{\Lambda-t+\sigma(t-M)};\quad
             "does. E = 0: the singular point is q - p, at v = infinity. sigma = 0 only spoils the printed formula for "
             "M."};
     return info;
-  }
-
-  template <class S, class P>
-  using In = PairInput<S, P>;
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_pair<S, P>(from, size);
   }
 
   template <class S, class P>
@@ -91,7 +83,7 @@ v=\frac{\sigma(t-M)}{\Lambda-t+\sigma(t-M)};\quad
 
 /// FJ21.6.1: v(t), and for constant Lam, M, sigma the edge as a polynomial row R of degree n+1 with R' = (n+1)(sigma q
 /// - p).
-struct Eq6_1 {
+struct Eq6_1 : Takes<PairInput> {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 4;
   static const ClaimInfo& info() {
@@ -116,14 +108,6 @@ R:=(\Lambda-t+\sigma(t-M))\,r=(\Lambda-t)p+\sigma(t-M)q,\ \deg R\le n+1,\ R'=(n+
             "infinity "
             "for a cylinder."};
     return info;
-  }
-
-  template <class S, class P>
-  using In = PairInput<S, P>;
-
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_pair<S, P>(from, size);
   }
 
   template <class S, class P>
@@ -194,7 +178,7 @@ struct C6_1 {
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    PairInput<S, P> pair = draw_pair<S, P>(from, size);
+    PairInput<S, P> pair = PairInput<S, P>::draw(from, size);
     return {std::move(pair), draw_functions(from)};
   }
 

@@ -129,7 +129,7 @@ a\kappa+b\kappa'=0\text{ for }\kappa=(1-u+\sigma u)^n)",
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    RowInput<S, P> row = draw_row<S, P>(from, size);
+    RowInput<S, P> row = RowInput<S, P>::draw(from, size);
     P d0 = from.template point<P>();
     S rho = from.scalar();
     return {std::move(row), std::move(d0), std::move(rho), from.scalar()};

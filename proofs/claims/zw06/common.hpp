@@ -2,7 +2,7 @@
 //   draw_polynomial, at_degree     a Bernstein polynomial with free coefficients; points raised to a degree
 //   second_row, rulings_of         d_i = c_i + tau_i and back
 //   along                          the point a tau + b tau'      applied   a linear form at points
-//   JetInput, draw_jet             rows with a' = a tau + b tau' at one parameter
+//   JetInput                       rows with a' = a tau + b tau' at one parameter
 //   RowInput                       a directrix and a parameter
 #pragma once
 
@@ -76,6 +76,8 @@ struct JetInput {
   std::vector<P> d() const { return second_row(c, tau); }
   /// a - b' at u.
   S speed() const { return equation.a(u) - equation.b.derivative()(u); }
+
+  static JetInput draw(Source<S>& from, Size size);
 };
 
 template <class S, class P>
@@ -90,7 +92,7 @@ JetInput<S, P> make_jet(DirectrixEquation<S> equation, const S& u, const S& v, s
 
 /// The degree of b is N, that of a is N - 1.
 template <class S, class P>
-JetInput<S, P> draw_jet(Source<S>& from, Size size) {
+JetInput<S, P> JetInput<S, P>::draw(Source<S>& from, Size size) {
   Bernstein<S> a = draw_polynomial(from, size.pieces - 1);
   Bernstein<S> b = draw_polynomial(from, size.pieces);
   const S u = from.scalar();
@@ -107,10 +109,12 @@ template <class S, class P>
 struct RowInput {
   std::vector<P> c;
   S u;
+
+  static RowInput draw(Source<S>& from, Size size);
 };
 
 template <class S, class P>
-RowInput<S, P> draw_row(Source<S>& from, Size size) {
+RowInput<S, P> RowInput<S, P>::draw(Source<S>& from, Size size) {
   std::vector<P> c = from.template points<P>(size.n + 1);
   return {std::move(c), from.scalar()};
 }

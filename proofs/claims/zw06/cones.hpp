@@ -107,7 +107,7 @@ struct Eq12 {
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    RowInput<S, P> row = draw_row<S, P>(from, size);
+    RowInput<S, P> row = RowInput<S, P>::draw(from, size);
     P d0 = from.template point<P>();
     return {std::move(row), std::move(d0), from.scalar()};
   }
@@ -169,7 +169,7 @@ struct Eq13 {
 
   template <class S, class P>
   static In<S, P> draw(Source<S>& from, Size size) {
-    RowInput<S, P> row = draw_row<S, P>(from, size);
+    RowInput<S, P> row = RowInput<S, P>::draw(from, size);
     return {std::move(row), from.scalar()};
   }
   template <class S, class P>

@@ -10,16 +10,10 @@
 namespace torse::proofs::zw06 {
 
 /// Inputs of (7) to (10): rows that obey the equation at u.
-struct Decomposition {
+struct Decomposition : Takes<JetInput> {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
 
-  template <class S, class P>
-  using In = JetInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_jet<S, P>(from, size);
-  }
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>&) {
     return {};

@@ -43,7 +43,7 @@ D=n+\max(\deg a,\deg b-1),\text{ for all }p_i,\tau_i,a,b,u)",
   static In<S, P> draw(Source<S>& from, Size size) {
     Bernstein<S> a = draw_polynomial(from, size.pieces - 1);
     Bernstein<S> b = draw_polynomial(from, size.pieces);
-    RowInput<S, P> row = draw_row<S, P>(from, size);
+    RowInput<S, P> row = RowInput<S, P>::draw(from, size);
     return {{std::move(a), std::move(b)}, std::move(row), from.template points<P>(size.n + 1)};
   }
   template <class S, class P>
@@ -107,7 +107,7 @@ struct Unique {
     S a = from.scalar();
     S b0 = from.scalar();
     S beta = from.scalar();
-    return {std::move(a), std::move(b0), std::move(beta), draw_row<S, P>(from, size)};
+    return {std::move(a), std::move(b0), std::move(beta), RowInput<S, P>::draw(from, size)};
   }
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>& in) {

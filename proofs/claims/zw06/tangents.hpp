@@ -12,16 +12,10 @@
 namespace torse::proofs::zw06 {
 
 /// Inputs of (14) and (15): rows that obey the equation at u.
-struct TangentSurface {
+struct TangentSurface : Takes<JetInput> {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
 
-  template <class S, class P>
-  using In = JetInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_jet<S, P>(from, size);
-  }
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>& in) {
     return {{in.speed()}};
@@ -101,16 +95,10 @@ struct Eq15 : TangentSurface {
 };
 
 /// What (16), (17) and (18) share: a directrix and a parameter.
-struct FreeDirectrix {
+struct FreeDirectrix : Takes<RowInput> {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
 
-  template <class S, class P>
-  using In = RowInput<S, P>;
-  template <class S, class P>
-  static In<S, P> draw(Source<S>& from, Size size) {
-    return draw_row<S, P>(from, size);
-  }
   template <class S, class P>
   static NonZero<S> nonzero(const In<S, P>&) {
     return {};
