@@ -2,10 +2,11 @@
 //   torse_cad_formats      the one symbol that it exports
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Standard_Failure.hxx>
 #include <Standard_Version.hxx>
-#include <string>
+#include <exception>
 
-#include "torse/io/cad.hpp"
+#include "torse/cad/read.hpp"
 
 namespace torse::cad {
 namespace {
@@ -15,6 +16,17 @@ class Formats final : public CadFormats {
   Formats() { Message::DefaultMessenger()->ChangePrinters().Clear(); }
 
   std::string version() const override { return std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE; }
+
+  std::string read(CadFormat format, const std::string& path, CadModel& model) noexcept override {
+    try {
+      model = read_model(format, path);
+      return {};
+    } catch (const Standard_Failure& failure) {
+      return std::string("cannot be read by OpenCASCADE: ") + failure.GetMessageString();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  }
 };
 
 }  // namespace

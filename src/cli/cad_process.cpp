@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -14,6 +15,8 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+
+#include "torse/io/cad_bytes.hpp"
 
 namespace torse::cli {
 namespace {
@@ -101,6 +104,26 @@ std::string failure_of(int status, bool in_time, unsigned seconds) {
          (WIFSIGNALED(status) ? " (" + std::string(strsignal(WTERMSIG(status))) + ")" : std::string());
 }
 
+/// The bytes of a file once more as a file, since OpenCASCADE opens files by name and these may be those of a pipe.
+class MemoryFile {
+ public:
+  explicit MemoryFile(const std::string& bytes) : descriptor_(memfd_create("torse", MFD_CLOEXEC)) {
+    for (std::size_t done = 0; descriptor_ >= 0 && done < bytes.size();) {
+      const ssize_t count = write(descriptor_, bytes.data() + done, bytes.size() - done);
+      if (count <= 0) throw Error(std::string("cannot be copied to memory: ") + std::strerror(errno));
+      done += static_cast<std::size_t>(count);
+    }
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { close(descriptor_); }
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
 }  // namespace
 
 std::optional<fs::path> cad_plugin() {
@@ -136,6 +159,17 @@ std::string run_cad(const std::string& file, std::size_t size, const std::functi
   if (!text || status != 0 || text->empty()) throw FileError(file, failure_of(status, text.has_value(), seconds));
   if (text->front() != answer) throw FileError(file, text->substr(1));
   return text->substr(1);
+}
+
+CadModel read_cad(const std::string& file, CadFormat format, const std::string& bytes) {
+  const std::string model = run_cad(file, bytes.size(), [&](CadFormats& formats) {
+    CadModel read;
+    const MemoryFile copy(bytes);
+    const std::string reason = formats.read(format, copy.path(), read);
+    if (!reason.empty()) throw Error(reason);
+    return cad_bytes(read);
+  });
+  return cad_model(model);
 }
 
 }  // namespace torse::cli

@@ -1,6 +1,7 @@
 // The plugin torse_cad in a process of its own: what OpenCASCADE does to a damaged file is no concern of the program.
 //   cad_plugin        where the plugin is
 //   run_cad           a task for the plugin in a child with limits of time and memory
+//   read_cad          the model of a STEP or IGES file
 #pragma once
 
 #include <filesystem>
@@ -20,5 +21,8 @@ std::optional<std::filesystem::path> cad_plugin();
 /// its bytes, which extend the time. Throws FileError where there is no plugin, for an exception of the task (its text
 /// is the reason), and for a child that crashes or exceeds limits.hpp.
 std::string run_cad(const std::string& file, std::size_t size, const std::function<std::string(CadFormats&)>& task);
+
+/// Reads the bytes of a file. Throws FileError.
+CadModel read_cad(const std::string& file, CadFormat format, const std::string& bytes);
 
 }  // namespace torse::cli

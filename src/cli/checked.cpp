@@ -27,6 +27,24 @@ struct Rule {
   std::string text;
 };
 
+/// What the developable flag of the file is worth: "true" and "false" for one that is set, "unclaimed" for a
+/// developable surface without it, "none".
+std::string claim_of(const CheckedFace& checked) {
+  const bool developable = checked.judgement->developable();
+  if (*checked.face.cad->claimed_developable) return developable ? "true" : "false";
+  return developable ? "unclaimed" : "none";
+}
+
+std::string claim_text(const std::string& claim) {
+  if (claim == "true") return "developable flag: claimed and true";
+  if (claim == "false") return "developable flag: claimed and false";
+  return "developable flag: not claimed though true";
+}
+
+bool has_claim(const CheckedFace& checked) {
+  return checked.judgement && checked.face.cad && checked.face.cad->claimed_developable;
+}
+
 /// The rule that a case is held to.
 Rule rule_of(const CheckedFace& checked, const Demand& demand) {
   if (checked.error) return {"readable-input", "The file holds ruled surfaces that torse reads."};
@@ -93,8 +111,17 @@ std::string verdict_of(const CheckedFace& checked) {
 
 std::vector<std::string> findings(const CheckedFace& checked) {
   if (!checked.face.surface) return {checked.face.remark};
-  if (checked.judgement->developable()) return {describe(checked.judgement->classification)};
-  return {describe(*checked.judgement->witness, checked.face.surface->knots), describe(checked.warp.enclosure)};
+  std::vector<std::string> lines;
+  if (checked.judgement->developable()) {
+    lines = {describe(checked.judgement->classification)};
+  } else {
+    lines = {describe(*checked.judgement->witness, checked.face.surface->knots), describe(checked.warp.enclosure)};
+  }
+  if (has_claim(checked)) {
+    if (const std::string claim = claim_of(checked); claim != "none") lines.push_back(claim_text(claim));
+  }
+  if (!checked.face.remark.empty()) lines.push_back(checked.face.remark);
+  return lines;
 }
 
 ReportCase case_of(const CheckedFace& checked, const Demand& demand) {
@@ -122,6 +149,7 @@ Json checked_json(const CheckedFace& checked) {
   const Judgement& judgement = *checked.judgement;
   json["developable"] = judgement.developable();
   json["exact"] = true;
+  if (has_claim(checked)) json["claim"] = claim_of(checked);
   json["class"] = name_of(judgement.classification.kind);
   if (judgement.classification.vertex) json["vertex"] = point_json(*judgement.classification.vertex);
   if (judgement.classification.direction) json["direction"] = point_json(*judgement.classification.direction);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "torse/cli/cad_faces.hpp"
 #include "torse/io/document.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
@@ -17,7 +18,9 @@ namespace {
 constexpr std::size_t most_listed = 12;
 
 std::vector<Face> all_faces(const std::string& file) {
-  const Document document(file, read_file(file));
+  std::string bytes = read_file(file);
+  if (const std::optional<CadFormat> format = cad_format(file, bytes)) return cad_faces(file, *format, bytes);
+  const Document document(file, std::move(bytes));
   return {Face{.file = file, .name = name_of_file(file), .surface = read_ruled<Rational>(document)}};
 }
 

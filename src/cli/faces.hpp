@@ -1,4 +1,5 @@
 // The ruled surfaces of an input file, a face each.
+//   CadNote                       what else a CAD file says of a face
 //   Face                          a surface with its name, or why it is none
 //   FaceInput, add_face_inputs    the files and the option --face of a subcommand
 //   read_faces                    the faces of a file that were asked for
@@ -17,6 +18,20 @@
 
 namespace torse::cli {
 
+/// Of a face of a CAD file. Lengths are in the file's unit, `metres` long.
+struct CadNote {
+  std::string unit;
+  double metres = 0;
+  /// 0 where the file states none.
+  double tolerance = 0;
+  /// "plane", "cylinder", "B-spline surface", ...
+  std::string type;
+  /// Whether the face has a smaller range of parameters than its surface; then `surface` is that part.
+  bool trimmed = false;
+  /// The developable flag of an IGES ruled surface.
+  std::optional<bool> claimed_developable{};
+};
+
 /// A face of a file. torse's JSON holds one; a CAD file holds any number.
 struct Face {
   std::string file;
@@ -29,6 +44,7 @@ struct Face {
   /// None for a face that is not ruled; then `remark` says why.
   std::optional<RuledFile<Rational>> surface{};
   std::string remark{};
+  std::optional<CadNote> cad{};
 };
 
 /// What a subcommand takes: files, "-" being standard input, and a face by name or number, empty for all.

@@ -48,7 +48,15 @@ std::string bound_text(const Bound& bound) {
 Json face_json(const Face& face) {
   Json json{{"file", printable(face.file)},      {"name", face.name},      {"face", face.number},
             {"ruled", face.surface.has_value()}, {"developable", nullptr}, {"class", name_of(SurfaceClass::none)}};
-  if (!face.surface) json["remark"] = face.remark;
+  if (!face.remark.empty()) json["remark"] = face.remark;
+  if (face.cad) {
+    json["type"] = face.cad->type;
+    json["trimmed"] = face.cad->trimmed;
+    json["unit"] = face.cad->unit;
+    json["unit_metres"] = face.cad->metres;
+    if (face.cad->claimed_developable) json["claimed_developable"] = *face.cad->claimed_developable;
+    json["tolerance"] = face.cad->tolerance > 0 ? Json(face.cad->tolerance) : Json();
+  }
   return json;
 }
 

@@ -25,12 +25,15 @@ struct CadRange {
   double to = 1;
 };
 
-/// A B-spline curve: the CAD list of knots (points + degree + 1 of them), control points, as many weights.
+/// A B-spline curve: the CAD list of knots (points + degree + 1 of them), control points, as many weights. `part` cuts
+/// it to parameters of its own, none for the whole; then `reversed` turns it round.
 struct CadRail {
   int degree = 1;
   std::vector<double> knots{};
   std::vector<CadPoint> points{};
   std::vector<double> weights{};
+  std::optional<CadRange> part{};
+  bool reversed = false;
 };
 
 /// The rulings join points of equal parameters, each relative to its own curve's domain. Degrees and knots may differ.
@@ -39,10 +42,12 @@ struct CadRails {
   CadRail d{};
 };
 
-/// The rulings are translates of one vector: c + s vector, `across` being the range of s.
+/// The rulings are translates of one vector: c + s vector, `across` being the range of s. With `end`, the vector leads
+/// there from the begin of c.
 struct CadExtrusion {
   CadRail c{};
   CadPoint vector{};
+  std::optional<CadPoint> end{};
 };
 
 /// A point of a meridian: base + radius * radial + height * axis.
@@ -108,12 +113,17 @@ struct CadModel {
   std::vector<CadFace> faces{};
 };
 
+/// The formats of the plugin.
+enum class CadFormat { step, iges };
+
 /// The plugin. Nothing is thrown across this interface.
 class CadFormats {
  public:
   virtual ~CadFormats() = default;
   /// "OpenCASCADE 7.6.3".
   virtual std::string version() const = 0;
+  /// Reads a file. Returns what is wrong with it, or an empty text.
+  virtual std::string read(CadFormat format, const std::string& path, CadModel& model) noexcept = 0;
 };
 
 /// The symbol of the plugin, an extern "C" function of this type; the object lives as long as the plugin is loaded.

@@ -98,7 +98,7 @@ void pass(A& a, CadRange& x) {
 }
 template <class A>
 void pass(A& a, CadRail& x) {
-  all(a, x.degree, x.knots, x.points, x.weights);
+  all(a, x.degree, x.knots, x.points, x.weights, x.part, x.reversed);
 }
 template <class A>
 void pass(A& a, CadRails& x) {
@@ -106,7 +106,7 @@ void pass(A& a, CadRails& x) {
 }
 template <class A>
 void pass(A& a, CadExtrusion& x) {
-  all(a, x.c, x.vector);
+  all(a, x.c, x.vector, x.end);
 }
 template <class A>
 void pass(A& a, CadMeridianEnd& x) {

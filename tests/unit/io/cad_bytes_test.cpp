@@ -12,10 +12,10 @@ namespace {
 
 CadModel sample() {
   const CadRail rail{2, {0, 0, 0, 1, 1, 1}, {{0, 0, 0}, {1, 0.1, 0}, {1, 1, 0}}, {1, 0.5, 1}};
-  const CadRail line{1, {-1, -1, 3, 3}, {{0, 0, 1}, {1e300, 5e-324, 1}}, {1, 1}};
+  const CadRail line{1, {-1, -1, 3, 3}, {{0, 0, 1}, {1e300, 5e-324, 1}}, {1, 1}, CadRange{0, 2}, true};
   CadFace face{.number = 7, .name = "plate \xC3\xA9", .type = "ruled surface", .claimed_developable = false};
   face.strips.push_back({CadRails{rail, line}, CadRange{0.25, 0.75}, std::nullopt});
-  face.strips.push_back({CadExtrusion{rail, {0, 0, -2}}, std::nullopt, CadRange{-1, 4}});
+  face.strips.push_back({CadExtrusion{rail, {0, 0, -2}, CadPoint{4, 5, 6}}, std::nullopt, CadRange{-1, 4}});
   face.strips.push_back({CadRevolution{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, {{{{1, 1, 1}, 2, 3}, {{}, 4, 5}}}, {0, 6.25}},
                          std::nullopt, std::nullopt});
   face.placement[1][3] = -0.5;
@@ -34,10 +34,14 @@ TEST(CadBytes, AModelComesBack) {
   ASSERT_EQ(face.strips.size(), 3U);
   const CadRails& rails = std::get<CadRails>(face.strips[0].surface);
   EXPECT_EQ(rails.d.points[1], (CadPoint{1e300, 5e-324, 1}));
+  EXPECT_EQ(rails.d.part->to, 2);
+  EXPECT_TRUE(rails.d.reversed);
+  EXPECT_FALSE(rails.c.part || rails.c.reversed);
   EXPECT_EQ(rails.c.weights, (std::vector<double>{1, 0.5, 1}));
   EXPECT_EQ(face.strips[0].along->to, 0.75);
   EXPECT_FALSE(face.strips[0].across);
   EXPECT_EQ(std::get<CadExtrusion>(face.strips[1].surface).vector[2], -2);
+  EXPECT_EQ(std::get<CadExtrusion>(face.strips[1].surface).end, (CadPoint{4, 5, 6}));
   EXPECT_EQ(face.strips[1].across->from, -1);
   EXPECT_EQ(std::get<CadRevolution>(face.strips[2].surface).meridian[1].height, 5);
   EXPECT_EQ(face.placement[1][3], -0.5);

@@ -1,0 +1,181 @@
+// IGES files through the real program: splines number for number, ruled surfaces and their developable flag.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cad/iges_text.hpp"
+#include "support/program.hpp"
+#include "torse/cli/faces.hpp"
+
+namespace torse::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class Iges : public ::testing::Test {
+ public:
+  std::string file(const IgesText& iges) const {
+    spill(scratch / "part.igs", iges.file());
+    return (scratch / "part.igs").string();
+  }
+  std::vector<cli::Face> faces(const IgesText& iges) const { return cli::read_faces(file(iges), ""); }
+  json check(const IgesText& iges) const {
+    const ProgramResult result = run_program({"check", file(iges), "--json", "-"});
+    EXPECT_EQ(result.err, "");
+    return json::parse(result.out)["surfaces"];
+  }
+  Scratch scratch;
+};
+
+Rational d(double x) { return Rational::from_double(x); }
+
+/// As doubles again, which a failure can show.
+std::vector<double> doubles(const std::vector<Rational>& list) {
+  std::vector<double> result;
+  for (const Rational& x : list) result.push_back(x.to_double());
+  return result;
+}
+std::vector<double> doubles(const Vec<Rational, 3>& x) { return {x[0].to_double(), x[1].to_double(), x[2].to_double()}; }
+
+TEST_F(Iges, PolesKnotsAndWeightsAreTheDoublesOfTheText) {
+  IgesText iges;
+  iges.add(128,
+           "2,1,2,1,0,0,0,0,0, 0.1,0.1,0.1,0.7,0.7,0.7, -1.,-1.,2.,2., 1.,0.3,2., 0.5,1.,0.7,"
+           "0.1,0.2,0.30000000000000004, 1.,2.,3., 7.,8.,9., 1.D-7,-2500.,3., 4.,5.,6.7, 1.,0.,0.3333333333333333,"
+           "0.1,0.7,-1.,2.",
+           {.label = "HULL"});
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  ASSERT_TRUE(read[0].surface);
+  EXPECT_EQ(read[0].name, "HULL");
+  const RuledFile<Rational>& ruled = *read[0].surface;
+  EXPECT_EQ(doubles(ruled.knots.list()), (std::vector<double>{0.1, 0.1, 0.7, 0.7}));
+  EXPECT_EQ(doubles(ruled.c.weights), (std::vector<double>{1, 0.3, 2}));
+  EXPECT_EQ(doubles(ruled.d.weights), (std::vector<double>{0.5, 1, 0.7}));
+  EXPECT_EQ(doubles(ruled.c.points[0]), (std::vector<double>{0.1, 0.2, 0.30000000000000004}));
+  EXPECT_EQ(doubles(ruled.d.points[0]), (std::vector<double>{1e-7, -2500, 3}));
+  EXPECT_EQ(doubles(ruled.d.points[2]), (std::vector<double>{1, 0, 0.3333333333333333}));
+  EXPECT_EQ(ruled.c.points[0][0], d(0.1));  // the double itself, no decimal
+}
+
+TEST_F(Iges, TheDevelopableFlagIsAudited) {
+  IgesText iges;
+  const int flat = iges.line("0.,0.,0.", "1.,0.,0.");
+  const int beside = iges.line("0.,1.,0.", "1.,1.,0.");
+  const int skew = iges.line("0.,1.,0.", "1.,1.,1.");
+  iges.ruled(flat, beside, 0, 1, {.form = 1, .label = "TRUE"});
+  iges.ruled(flat, skew, 0, 1, {.form = 1, .label = "LIE"});
+  iges.ruled(flat, beside, 0, 0, {.form = 1, .label = "MODEST"});
+  iges.ruled(flat, skew, 0, 0, {.form = 1, .label = "TWISTED"});
+  const json report = check(iges);
+  ASSERT_EQ(report.size(), 4U);
+  const auto row = [&](std::size_t i) {
+    return std::make_tuple(report[i]["name"], report[i]["claimed_developable"], report[i]["claim"]);
+  };
+  EXPECT_EQ(row(0), std::make_tuple(json("TRUE"), json(true), json("true")));
+  EXPECT_EQ(row(1), std::make_tuple(json("LIE"), json(true), json("false")));
+  EXPECT_EQ(row(2), std::make_tuple(json("MODEST"), json(false), json("unclaimed")));
+  EXPECT_EQ(row(3), std::make_tuple(json("TWISTED"), json(false), json("none")));
+}
+
+TEST_F(Iges, RailsOfDifferentDegreesAreMadeCompatibleExactly) {
+  // The cone with vertex (0, 0, 1) over a parabola, its upper rail given with degree 3 and thirds that are no doubles
+  // elsewhere: c = (0,0,0), (3,3,0), (6,0,0); d is the same arc halfway up, elevated.
+  IgesText iges;
+  const int c = iges.bezier(2, "1.,1.,1.", "0.,0.,0.,3.,3.,0.,6.,0.,0.");
+  const int up = iges.bezier(3, "1.,1.,1.,1.", "0.,0.,0.5,1.,1.,0.5,2.,1.,0.5,3.,0.,0.5");
+  iges.ruled(c, up, 0, 1, {.form = 1});
+  const json report = check(iges);
+  ASSERT_EQ(report.size(), 1U);
+  EXPECT_EQ(report[0]["class"], "cone");
+  EXPECT_EQ(report[0]["vertex"], json({"0", "0", "1"}));
+}
+
+TEST_F(Iges, TheDirectionFlagTurnsTheSecondRail) {
+  // A parabola and its mirror image, which runs the other way: turned round it is the first one moved up.
+  IgesText iges;
+  const int c = iges.bezier(2, "1.,1.,1.", "0.,0.,0.,1.,2.,0.,3.,0.,0.");
+  const int back = iges.bezier(2, "1.,1.,1.", "3.,0.,1.,1.,2.,1.,0.,0.,1.");
+  iges.ruled(c, back, 1, 0, {.form = 1});
+  iges.ruled(c, back, 0, 0, {.form = 1});
+  const json report = check(iges);
+  ASSERT_EQ(report.size(), 2U);
+  EXPECT_EQ(report[0]["class"], "cylinder");
+  EXPECT_EQ(report[0]["direction"], json({"0", "0", "1"}));
+  EXPECT_EQ(report[1]["developable"], false);
+}
+
+TEST_F(Iges, RulingsByArcLengthAreDecidedWhereTheyAreRulingsByParameter) {
+  IgesText iges;
+  const int line = iges.line("0.,0.,0.", "1.,0.,0.");
+  const int longer = iges.line("0.,1.,0.", "3.,1.,0.");
+  const int curve = iges.bezier(2, "1.,1.,1.", "0.,0.,0.,1.,2.,0.,3.,0.,0.");
+  const int twice = iges.bezier(2, "1.,1.,1.", "0.,0.,1.,2.,4.,1.,6.,0.,1.");
+  const int other = iges.bezier(2, "1.,1.,1.", "0.,0.,1.,1.,3.,1.,3.,0.,1.");
+  iges.ruled(line, longer, 0, 1, {.form = 0});  // lines run at constant speed
+  iges.ruled(curve, twice, 0, 1, {.form = 0});  // a homothety keeps relative arc length
+  iges.ruled(curve, other, 0, 1, {.form = 0});  // nothing of the kind
+  const json report = check(iges);
+  ASSERT_EQ(report.size(), 3U);
+  EXPECT_EQ(report[0]["class"], "plane");
+  EXPECT_EQ(report[1]["class"], "cone");
+  EXPECT_EQ(report[2]["ruled"], false);
+  EXPECT_THAT(report[2]["remark"].get<std::string>(), HasSubstr("arc length"));
+}
+
+TEST_F(Iges, LinesThatTurnAndTabulatedCylinders) {
+  IgesText iges;
+  const int axis = iges.line("1.,2.,0.", "1.,2.,5.");
+  iges.add(120,
+           std::to_string(axis) + "," + std::to_string(iges.line("4.,2.,0.", "4.,2.,7.")) + ",0.,6.283185307179586",
+           {.label = "TUBE"});
+  iges.add(120, std::to_string(axis) + "," + std::to_string(iges.line("4.,2.,0.", "2.,2.,2.")) + ",0.,2.",
+           {.label = "CONE"});
+  iges.add(120, std::to_string(axis) + "," + std::to_string(iges.line("4.,2.,0.", "9.,2.,0.")) + ",0.,1.",
+           {.label = "DISK"});
+  iges.add(120, std::to_string(axis) + "," + std::to_string(iges.line("4.,2.,0.", "4.,3.,5.")) + ",0.,1.",
+           {.label = "WAIST"});
+  iges.add(122, std::to_string(iges.bezier(2, "1.,0.3,2.", "0.1,0.,0.,1.,2.,0.7,3.,0.,0.1")) + ",0.3,0.1,4.",
+           {.label = "WALL"});
+  const json report = check(iges);
+  ASSERT_EQ(report.size(), 5U);
+  EXPECT_EQ(report[0]["class"], "cylinder");
+  EXPECT_EQ(report[0]["direction"], json({"0", "0", "1"}));
+  EXPECT_EQ(report[1]["class"], "cone");
+  EXPECT_EQ(report[1]["vertex"], json({"1", "2", "3"}));
+  EXPECT_EQ(report[2]["class"], "plane");
+  EXPECT_EQ(report[3]["developable"], false);
+  EXPECT_EQ(report[3]["type"], "revolution");
+  EXPECT_EQ(report[4]["class"], "cylinder");
+  EXPECT_EQ(report[4]["type"], "extrusion");
+}
+
+TEST_F(Iges, UnitsAreTheFilesOwn) {
+  for (const auto& [flag, name, metres] : {std::make_tuple(1, "inch", 0.0254), {2, "mm", 0.001}, {6, "m", 1.0}}) {
+    IgesText iges(flag);
+    iges.ruled(iges.line("0.,0.,0.", "0.1,0.,0."), iges.line("0.,1.,0.", "0.1,1.,0."), 0, 0, {.form = 1});
+    const std::vector<cli::Face> read = faces(iges);
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_EQ(read[0].cad->unit, name);
+    EXPECT_EQ(read[0].cad->metres, metres);
+    EXPECT_EQ(read[0].cad->tolerance, 1e-5);
+    EXPECT_EQ(read[0].surface->c.points[1][0], d(0.1));
+  }
+}
+
+TEST_F(Iges, AMatrixMovesTheSurfaceExactly) {
+  // A shear is no rigid motion, but an affine map keeps a cone a cone.
+  IgesText iges;
+  const int matrix = iges.add(124, "1.,0.,0.,10., 0.,0.,-1.,0., 0.,1.,0.,0.5");
+  const int c = iges.bezier(2, "1.,1.,1.", "0.,0.,0.,3.,3.,0.,6.,0.,0.");
+  const int up = iges.bezier(2, "1.,1.,1.", "0.,0.,0.5,1.5,1.5,0.5,3.,0.,0.5");
+  iges.ruled(c, up, 0, 1, {.form = 1, .matrix = matrix});
+  const json report = check(iges);
+  ASSERT_EQ(report.size(), 1U);
+  EXPECT_EQ(report[0]["vertex"], json({"10", "-1", "1/2"}));  // (x, y, z) goes to (x + 10, -z, y + 1/2)
+}
+
+}  // namespace
+}  // namespace torse::testing
