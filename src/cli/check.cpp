@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "torse/cli/checked.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/repair.hpp"
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
@@ -22,7 +24,11 @@ using Json = nlohmann::ordered_json;
 struct CheckOptions {
   FaceInput input;
   std::string max_warp;
+  std::string repair;
   ReportFiles reports;
+
+  /// Whether something else than the verdicts takes standard output.
+  bool use_stdout() const { return reports.use_stdout() || repair == "-"; }
 };
 
 Demand demand_of(const CheckOptions& options) {
@@ -38,7 +44,18 @@ int code_of(const std::vector<ReportCase>& cases) {
   return any(Outcome::undecided) || !any(Outcome::passed) ? exit_code::undecided : exit_code::success;
 }
 
-std::string json_report(const std::vector<CheckedFace>& faces) {
+/// The surface that --repair is about. Throws UsageError unless it is the only one.
+const CheckedFace& only_surface(const std::vector<CheckedFace>& faces) {
+  const auto ruled = [](const CheckedFace& checked) { return checked.face.surface.has_value(); };
+  const auto count = std::ranges::count_if(faces, ruled);
+  if (count != 1) {
+    throw UsageError(fmt::format("--repair: expected one ruled surface, found {}; --face chooses one", count));
+  }
+  return *std::ranges::find_if(faces, ruled);
+}
+
+/// The report on all faces; `repaired` belongs to the only one that is ruled.
+std::string json_report(const std::vector<CheckedFace>& faces, const std::optional<RepairedSurface>& repaired) {
   Json surfaces = Json::array();
   Json errors = Json::array();
   for (const CheckedFace& checked : faces) {
@@ -46,6 +63,7 @@ std::string json_report(const std::vector<CheckedFace>& faces) {
       errors.push_back({{"file", printable(checked.face.file)}, {"message", checked.error->what()}});
     } else {
       surfaces.push_back(checked_json(checked));
+      if (repaired && checked.face.surface) surfaces.back()["repair"] = repair_json(*repaired);
     }
   }
   return Json{{"torse", 1}, {"surfaces", surfaces}, {"errors", errors}}.dump(2) + '\n';
@@ -93,6 +111,9 @@ void print_faces(const std::vector<CheckedFace>& faces, const std::vector<Report
 
 int run_check(const CheckOptions& options) {
   require_one_output(options.reports);
+  if (options.repair == "-" && options.reports.use_stdout()) {
+    throw UsageError("only one of --repair and the reports can write to standard output");
+  }
   const Demand demand = demand_of(options);
   std::vector<CheckedFace> faces;
   for (const std::string& file : options.input.files) {
@@ -103,10 +124,21 @@ int run_check(const CheckOptions& options) {
   }
   std::vector<ReportCase> cases;
   for (const CheckedFace& checked : faces) cases.push_back(case_of(checked, demand));
-  if (!options.reports.use_stdout()) print_faces(faces, cases);
-  if (!options.reports.json.empty()) write_file(options.reports.json, json_report(faces));
+  const int code = code_of(cases);
+  std::optional<RepairedSurface> repaired;
+  const bool repairs = !options.repair.empty() && code != exit_code::unusable;
+  if (repairs) repaired = repair_surface(*only_surface(faces).face.surface, options.repair);
+  if (!options.use_stdout()) print_faces(faces, cases);
+  if (repaired && !options.use_stdout()) {
+    Terminal(stdout).print(printable(options.repair) + ": " + repair_text(*repaired) + '\n');
+  }
+  if (!options.reports.json.empty()) write_file(options.reports.json, json_report(faces, repaired));
   write_case_reports(options.reports, cases);
-  return code_of(cases);
+  if (repairs && !repaired) {
+    print_error("--repair: no developable net with finite points was found; nothing is written");
+    return exit_code::undecided;
+  }
+  return code;
 }
 
 }  // namespace
@@ -116,6 +148,8 @@ std::function<int()> define_check(CLI::App& app) {
   add_face_inputs(app, options->input, "ruled surfaces");
   app.add_option("--max-warp", options->max_warp, "pass where the warp angle is at most ANGLE: 0.5, 0.5deg or 0.01rad")
       ->type_name("ANGLE");
+  app.add_option("--repair", options->repair, "write the nearest exactly developable net of the one surface given")
+      ->type_name("OUT");
   add_report_options(app, options->reports);
   return [options] { return run_check(*options); };
 }

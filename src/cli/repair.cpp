@@ -1,0 +1,81 @@
+// The search is exact/repair; here its result becomes a file, JSON and a sentence.
+#include "torse/cli/repair.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "torse/cli/judge.hpp"
+#include "torse/cli/surface_report.hpp"
+#include "torse/cli/terminal.hpp"
+#include "torse/io/file.hpp"
+#include "torse/io/text.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional_number(const std::optional<double>& x) { return x ? Json(*x) : Json(); }
+
+Json family_json(NetFamily family, int degree) {
+  Json json{{"family", name_of(family)}};
+  if (family == NetFamily::edge) json["degree"] = degree;
+  return json;
+}
+
+Json families_json(const std::vector<FamilyDistance>& families) {
+  Json list = Json::array();
+  for (const FamilyDistance& family : families) {
+    Json json = family_json(family.family, family.degree);
+    json["rms_distance"] = family.root_mean_square;
+    json["converged"] = family.converged;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<RepairedSurface> repair_surface(const RuledFile<Rational>& surface, const std::string& file) {
+  auto net = nearest_developable(surface.knots, {surface.c, surface.d});
+  if (!net) return std::nullopt;
+  const RuledFile<Rational> result{surface.knots, net->rows.c, net->rows.d};
+  write_file(file, write_ruled(result));
+  return RepairedSurface{file, std::move(*net), judge(result).classification};
+}
+
+Json repair_json(const RepairedSurface& repaired) {
+  const auto& [file, net, classification] = repaired;
+  Json json{{"file", printable(file)}, {"class", name_of(classification.kind)}};
+  if (classification.vertex) json["vertex"] = point_json(*classification.vertex);
+  if (classification.direction) json["direction"] = point_json(*classification.direction);
+  json.update(family_json(net.family, net.degree));
+  json["Lambda"] = net.constants ? Json(net.constants->lambda.text()) : Json();
+  json["M"] = net.constants ? Json(net.constants->m.text()) : Json();
+  json["sigma"] = net.constants ? Json(net.constants->sigma.text()) : Json();
+  json["max_distance"] = net.distance.largest;
+  json["rms_distance"] = net.distance.root_mean_square;
+  json["relative"] = net.distance.relative;
+  json["surface_distance"] = optional_number(net.distance.surfaces);
+  json["max_weight_change"] = net.distance.weights;
+  json["ulps"] = optional_number(net.distance.ulps);
+  json["ulps_of_largest"] = net.distance.ulps_of_largest;
+  json["families"] = families_json(net.families);
+  return json;
+}
+
+std::string repair_text(const RepairedSurface& repaired) {
+  const NearestNet& net = repaired.net;
+  std::string text = describe(repaired.classification);
+  if (net.family == NetFamily::unchanged) return text + "; unchanged";
+  if (net.constants) {
+    text += fmt::format(", Lambda {}, M {}", short_number(net.constants->lambda), short_number(net.constants->m));
+    if (net.constants->sigma != Rational(1)) text += ", sigma " + short_number(net.constants->sigma);
+  }
+  return text + fmt::format("; control points move by at most {:.3g}, {:.3g} of the surface's size{}",
+                            net.distance.largest, net.distance.relative,
+                            net.distance.ulps ? fmt::format(", coordinates by {:.3g} ulps", *net.distance.ulps) : "");
+}
+
+}  // namespace torse::cli
