@@ -39,6 +39,7 @@ class UsageError : public Error {
 /// The subcommands, a file each.
 std::function<int()> define_check(CLI::App& app);
 std::function<int()> define_construct(CLI::App& app);
+std::function<int()> define_convert(CLI::App& app);
 std::function<int()> define_example(CLI::App& app);
 std::function<int()> define_explain(CLI::App& app);
 std::function<int()> define_list(CLI::App& app);

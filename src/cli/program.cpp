@@ -26,6 +26,7 @@ constexpr Command commands[] = {
     {"check", "decide exactly whether ruled surfaces are developable, and their class", define_check},
     {"construct", "make a developable surface through a curve", define_construct},
     {"recover", "Lambda, M, sigma, class, edge and singular parameters from the net alone", define_recover},
+    {"convert", "write ruled surfaces as OBJ, STL, glTF or JSON", define_convert},
 };
 
 /// The word that the parser did not expect with the nearest one it knows.

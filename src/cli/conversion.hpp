@@ -1,0 +1,42 @@
+// What torse convert makes of the faces of a file.
+//   OutputFormat, format_of       by the extension
+//   Conversion                    the bytes, and what there is to say about them
+//   scaled_surface                in another unit
+//   convert_to_mesh               OBJ, STL, glTF
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "torse/cli/faces.hpp"
+#include "torse/cli/units.hpp"
+
+namespace torse::cli {
+
+/// The formats of torse convert.
+enum class OutputFormat { json, obj, stl, gltf, glb };
+
+/// The format that a file's extension names, in any case. Throws UsageError listing all of them.
+OutputFormat format_of(const std::string& file);
+
+/// Whether it holds triangles.
+bool is_mesh(OutputFormat format);
+
+/// The bytes of a file, a line for the terminal and a JSON object for each face, in order.
+struct Conversion {
+  std::string bytes;
+  std::vector<std::string> lines;
+  std::vector<nlohmann::ordered_json> faces;
+};
+
+/// Every coordinate times `factor`.
+RuledFile<Rational> scaled_surface(RuledFile<Rational> surface, const Rational& factor);
+
+/// Meshes of faces that are ruled, in the numbers' unit. Each is within `tolerance`, if there is one, else within its
+/// own default. Throws FileError for a face that cannot be meshed.
+Conversion convert_to_mesh(const std::vector<Face>& faces, OutputFormat format,
+                           const std::optional<Rational>& tolerance);
+
+}  // namespace torse::cli
