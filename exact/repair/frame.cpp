@@ -45,7 +45,7 @@ Frame frame_of(const RuledRows& rows) {
   // The centre moves by less than a quarter of the extent when it is rounded to a multiple of 2^(exponent - 3).
   Frame frame{low, exponent_of(Real::from_rational(extent))};
   for (int j = 0; j < 3; ++j) {
-    frame.centre[j] = rounded(Real::from_rational((low[j] + high[j]) / Rational(2)), frame.exponent - 3);
+    frame.centre[j] = rounded((low[j] + high[j]) / Rational(2), frame.exponent - 3);
   }
   return frame;
 }

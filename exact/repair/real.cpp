@@ -23,9 +23,11 @@ Rational power_of_two(long exponent) {
 
 long exponent_of(const Real& x) { return mpfr_zero_p(x.mpfr()) != 0 ? mpfr_get_emin() : mpfr_get_exp(x.mpfr()); }
 
-Rational rounded(const Real& x, long exponent) {
+Rational rounded(const Real& x, long exponent) { return rounded(x.to_rational(), exponent); }
+
+Rational rounded(const Rational& x, long exponent) {
   const Rational unit = power_of_two(exponent);
-  const Rational units = x.to_rational() / unit + ratio<Rational>(1, 2);
+  const Rational units = x / unit + ratio<Rational>(1, 2);
   mpq_t whole;
   mpq_init(whole);
   mpz_fdiv_q(mpq_numref(whole), mpq_numref(units.mpq()), mpq_denref(units.mpq()));

@@ -23,6 +23,7 @@ long exponent_of(const Real& x);
 
 /// The multiple of 2^exponent nearest to x, halves upwards. Throws InvalidInput for NaN and infinities.
 Rational rounded(const Real& x, long exponent);
+Rational rounded(const Rational& x, long exponent);
 
 /// The fraction with the smallest denominator in [x - tolerance, x + tolerance]. Throws InvalidInput for NaN and
 /// infinities.

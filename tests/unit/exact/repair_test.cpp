@@ -335,10 +335,13 @@ TEST(Repair, FollowsScaleAndTranslation) {
       EXPECT_NEAR(scaled->distance.relative / plain->distance.relative, 1, 0.02) << exponent;
       EXPECT_TRUE(developable(sample.u, scaled->rows));
     }
-    const auto far = nearest_developable(sample.u, moved(given, Q(1), Point3(Q(1'000'000'000), Q(-7), Q(1) / Q(3))));
-    ASSERT_TRUE(far);
-    EXPECT_EQ(far->family, plain->family);
-    EXPECT_NEAR(far->distance.root_mean_square / plain->distance.root_mean_square, 1, 0.02);
+    for (const long exponent : {30L, 1000L}) {
+      const Point3 by(repair::power_of_two(exponent) / Q(3), Q(-7), Q(1) / Q(3));
+      const auto far = nearest_developable(sample.u, moved(given, Q(1), by));
+      ASSERT_TRUE(far);
+      EXPECT_EQ(far->family, plain->family);
+      EXPECT_NEAR(far->distance.root_mean_square / plain->distance.root_mean_square, 1, 0.02);
+    }
   }
 }
 
