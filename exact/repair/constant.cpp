@@ -1,4 +1,5 @@
 // The nearest net of FJ07.13 and FJ21.7.1: constants by descent, simple fractions near them, and an exact edge.
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -9,17 +10,22 @@
 namespace torse::repair {
 namespace {
 
-/// The best descent from the first few starts.
+/// The better descent from the two best starts.
 template <int D>
 std::optional<Descent<D>> best_descent(const BilinearSystem<Real>& system, const RealNet<D>& net, Real rival) {
-  constexpr std::size_t most_starts = 3;
+  const Projector<D> projector = [&](const std::vector<Real>& theta) { return project<D>(system, net, theta); };
+  std::vector<std::pair<Real, std::vector<Real>>> starts;
+  for (std::vector<Real>& theta : first_constants<D>(system, net)) {
+    if (const auto projection = projector(theta)) starts.emplace_back(projection->squared, std::move(theta));
+  }
+  std::ranges::stable_sort(starts, {}, [](const auto& start) { return start.first; });
+  constexpr std::size_t most_starts = 2;
   std::optional<Descent<D>> best;
-  const auto starts = first_constants<D>(system, net);
   for (std::size_t i = 0; i < std::min(most_starts, starts.size()); ++i) {
-    auto descent =
-        descend<D>([&](const std::vector<Real>& theta) { return project<D>(system, net, theta); }, starts[i], rival);
-    if (descent && (!best || descent->nearest.squared < best->nearest.squared)) best = std::move(descent);
-    if (best) rival = std::min(rival, best->nearest.squared);
+    auto descent = descend<D>(projector, std::move(starts[i].second), rival);
+    if (!descent || (best && !(descent->nearest.squared < best->nearest.squared))) continue;
+    rival = std::min(rival, descent->nearest.squared);
+    best = std::move(descent);
   }
   return best;
 }

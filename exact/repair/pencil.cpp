@@ -127,7 +127,7 @@ Pencil<4> best_pencil(const RealNet<4>& net, int first) {
   Real high = best.alpha + Real(1) / Real(samples);
   Real left = high - golden * (high - low), right = low + golden * (high - low);
   Real at_left = at(left), at_right = at(right);
-  for (int step = 0; step < 30; ++step) {
+  for (int step = 0; step < 12; ++step) {
     if (at_left < at_right) {
       high = std::exchange(right, left);
       at_right = at_left;
@@ -143,7 +143,7 @@ Pencil<4> best_pencil(const RealNet<4>& net, int first) {
   best.alpha = (low + high) / Real(2);
   least = at(best.alpha);
   const Real step = Real::from_rational(power_of_two(-60));
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < 6; ++round) {
     const Real above = at(best.alpha + step), below = at(best.alpha - step);
     const Real bend = above - Real(2) * least + below;
     if (!(bend > Real(0))) break;
