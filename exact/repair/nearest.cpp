@@ -91,16 +91,15 @@ struct Search {
   }
 };
 
-/// The options in the order in which they are tried: those within 3/2 of the least distance as they are, then the
-/// others by their distance.
-std::vector<const Option*> order_of(const std::vector<Option>& options) {
-  Real least = options.front().squared;
-  for (const Option& option : options) least = std::min(least, option.squared);
-  least = std::max(least, repair::negligible_distance());
+/// The options in the order in which they are tried: by their distance, but where the least root mean square is below a
+/// thousandth of the surface's size, those within twice of it come first, simple ones before others.
+std::vector<const Option*> order_of(const std::vector<Option>& options, const Real& least, std::size_t points) {
   std::vector<const Option*> order;
   for (const Option& option : options) order.push_back(&option);
-  const auto near = [&](const Option* option) { return Real(4) * option->squared <= Real(9) * least; };
-  const auto rest = std::stable_partition(order.begin(), order.end(), near);
+  const Real noise = Real(points) * Real::from_rational(repair::power_of_two(-20));
+  const Real near = least < noise ? Real(4) * std::max(least, repair::negligible_distance()) : Real(0);
+  const auto rest =
+      std::stable_partition(order.begin(), order.end(), [&](const Option* option) { return option->squared <= near; });
   std::stable_sort(rest, order.end(), [](const Option* x, const Option* y) { return x->squared < y->squared; });
   return order;
 }
@@ -118,7 +117,7 @@ std::optional<NearestNet> nearest_developable(const KnotList<Rational>& u, const
   Search search{u, rows, frame, repair::real_net<3>(rows, frame), repair::real_net<4>(rows, frame)};
   search.collect(polynomial);
   for (const Option& option : search.options) result.families.push_back(option.summary);
-  for (const Option* option : order_of(search.options)) {
+  for (const Option* option : order_of(search.options, search.least(), search.points.size())) {
     auto found = option->realise();
     if (!found || !developable(u, *found)) continue;
     result.family = option->summary.family;

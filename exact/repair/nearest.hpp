@@ -42,10 +42,10 @@ struct NearestNet {
 };
 
 /// The nearest net of the families, with rational numbers, decided to be developable by find_witness_over_q; the rows
-/// themselves if they are. Among families whose distance is at most 3/2 of the least, the simplest is taken: a
-/// noisy cone is a cone, not a surface with an edge of regression far away. Rows whose weights are all 1 stay so.
-/// Nothing where no family gives a net with finite points. Throws InvalidInput naming "points" for rows that do not fit
-/// the knots.
+/// themselves if they are. Where it is nearer than a thousandth of the surface's size, the simplest family within twice
+/// its distance is taken instead: a noisy cone is a cone, not a surface with an edge of regression far away. Rows whose
+/// weights are all 1 stay so. Nothing where no family gives a net with finite points. Throws InvalidInput naming
+/// "points" for rows that do not fit the knots.
 std::optional<NearestNet> nearest_developable(const KnotList<Rational>& u, const repair::RuledRows& rows);
 
 }  // namespace torse
