@@ -10,6 +10,7 @@
 
 #include "torse/developable/warp.hpp"
 #include "torse/exact/warp/common_factor.hpp"
+#include "torse/exact/warp/piece_bounds.hpp"
 #include "torse/exact/warp/rounded_net.hpp"
 #include "torse/exact/warp/search.hpp"
 
@@ -185,10 +186,12 @@ class WarpRun {
   std::vector<int> rounded_stage(const std::vector<int>& pieces) {
     const std::optional<RoundedNet<D>> net = rounded_net(u_, c_, d_);
     if (!net) return pieces;
+    std::vector<int> high = pieces;
+    if constexpr (D == 3) high = high_pieces(*net, pieces);
     std::vector<int> open;
     std::vector<WarpPiece<RoundedQuotient>> quotients;
-    quotients.reserve(pieces.size());
-    for (const int k : pieces) {
+    quotients.reserve(high.size());
+    for (const int k : high) {
       if (std::optional<RoundedQuotient> quotient = rounded_quotient(*net, k)) {
         quotients.push_back({k, *std::move(quotient)});
       } else {
@@ -200,10 +203,32 @@ class WarpRun {
     return open;
   }
 
+  /// Settles what the cheap bounds can, and returns the other pieces.
+  std::vector<int> high_pieces(const RoundedNet<3>& net, const std::vector<int>& pieces) {
+    if (static_cast<long>(pieces.size()) > budget(1)) return pieces;
+    const std::vector<PieceBound> bounds = piece_bounds(net, pieces);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      detail::note(record_, bounds[i].at_begin, pieces[i], 0);
+      detail::note(record_, bounds[i].at_end, pieces[i], 1);
+    }
+    record_.intervals += static_cast<long>(pieces.size());
+    if (exceeded()) return {};
+    const double threshold = detail::search_threshold(record_, goal_);
+    std::vector<int> high;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (bounds[i].upper <= threshold) {
+        record_.upper = std::max(record_.upper, bounds[i].upper);
+      } else {
+        high.push_back(pieces[i]);
+      }
+    }
+    return high;
+  }
+
   std::vector<int> ball_stage(const std::vector<int>& pieces) {
     stage_ = WarpStage::balls;
-    if (static_cast<long>(pieces.size()) > budget(ball_cost)) return pieces;
     surface_ = converted<Rational, S, D>(u_, c_, d_, exact);
+    if (static_cast<long>(pieces.size()) > budget(ball_cost)) return pieces;
     const Surface<WarpBall, D> surface = converted<WarpBall, Rational, D>(
         surface_->knots, surface_->c, surface_->d, [](const Rational& x) { return WarpBall::rational(x.text()); });
     std::vector<WarpPiece<BernsteinQuotient<WarpBall>>> quotients;
