@@ -59,6 +59,17 @@ BernsteinQuotient<S> quotient_of(const SineForms<S>& forms) {
   return {Bernstein<S>::from_form(forms.numerator), Bernstein<S>::from_form(forms.denominator)};
 }
 
+/// A positive multiple with integer coefficients: products of these need no reduction of fractions.
+FormVector<Rational> cleared(FormVector<Rational> v) {
+  std::vector<Rational> all;
+  for (const BinaryForm<Rational>& f : v) {
+    for (int i = 0; i <= f.degree(); ++i) all.push_back(f[i]);
+  }
+  const Rational factor = ScalarTraits<Rational>::common_denominator(all);
+  for (BinaryForm<Rational>& f : v) f = factor * f;
+  return v;
+}
+
 /// Whether N <= limit D on [0, 1], by the signs of the difference between its roots. It settles limits that are
 /// attained.
 bool nowhere_above(const SineForms<Rational>& forms, const Rational& limit) {
@@ -242,7 +253,8 @@ class WarpRun {
     std::vector<int> curved;
     std::vector<SineForms<Rational>> forms;
     for (const int k : pieces) {
-      const RulingForms<Rational> ruling = ruling_forms<Rational>(surface_->knots, surface_->c, surface_->d, k);
+      const RulingForms<Rational> fractions = ruling_forms<Rational>(surface_->knots, surface_->c, surface_->d, k);
+      const RulingForms<Rational> ruling{cleared(fractions.a), cleared(fractions.w), cleared(fractions.b)};
       if (definitely(form_dot(form_cross(ruling.a, ruling.b), ruling.w).zero())) continue;
       const auto [first, second] = normal_forms(ruling);
       const VectorWithZeros m = without_common_zeros(first);
@@ -250,7 +262,7 @@ class WarpRun {
       for (const auto* zeros : {&m.zeros, &n.zeros}) {
         for (const RealRoot& t : *zeros) exclusions_.push_back({k, parameter(k, t.lower), parameter(k, t.upper)});
       }
-      forms.push_back(sine_forms(m.direction, n.direction));
+      forms.push_back(sine_forms(cleared(m.direction), cleared(n.direction)));
       curved.push_back(k);
     }
     return settle_exactly(curved, forms);
