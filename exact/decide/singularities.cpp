@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "torse/exact/decide/rootless.hpp"
+
 namespace torse {
 namespace {
 
@@ -16,15 +18,6 @@ using Bound = SingularSet::Bound;
 
 /// The relative width of the interval around an irrational parameter.
 constexpr int parameter_bits = 64;
-
-/// Whether the Bernstein coefficients over [a, b] are all positive or all negative: by Descartes' rule there is no
-/// root.
-bool surely_rootless(const Poly& f, const Q& a, const Q& b) {
-  if (f.zero()) return false;
-  const std::vector<Vec<Q, 1>> coefficients = bezier_rows(std::array<Poly, 1>{f}, f.degree(), a, b);
-  const int sign = coefficients.front()[0].sign();
-  return std::ranges::all_of(coefficients, [&](const Vec<Q, 1>& x) { return x[0].sign() == sign; });
-}
 
 /// A polynomial by its square-free part, which changes its sign at every root; 1 where it has no root on the piece.
 struct Factor {

@@ -45,6 +45,7 @@ std::function<int()> define_explain(CLI::App& app);
 std::function<int()> define_list(CLI::App& app);
 std::function<int()> define_recover(CLI::App& app);
 std::function<int()> define_replay(CLI::App& app);
+std::function<int()> define_unroll(CLI::App& app);
 std::function<int()> define_verify(CLI::App& app);
 
 /// Runs the program on these words (without the program's name) and returns its exit code.

@@ -27,6 +27,7 @@ constexpr Command commands[] = {
     {"construct", "make a developable surface through a curve", define_construct},
     {"recover", "Lambda, M, sigma, class, edge and singular parameters from the net alone", define_recover},
     {"convert", "write ruled surfaces as OBJ, STL, glTF or JSON", define_convert},
+    {"unroll", "a developable surface as a flat plate: SVG, DXF, JSON with certified lengths", define_unroll},
 };
 
 /// The word that the parser did not expect with the nearest one it knows.

@@ -1,0 +1,109 @@
+// Outlines that cross themselves, against exact arithmetic on all pairs of edges.
+#include "torse/exact/unroll/overlap.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "torse/exact/rational/rational.hpp"
+
+namespace torse {
+namespace {
+
+Outline outline(const std::vector<PlatePoint>& points, double slack) {
+  return {points, std::vector<double>(points.size(), slack)};
+}
+
+/// A band of `turns` turns around the origin between the radii 1 and 2, slightly spiral by `pitch` a turn.
+Outline band(double turns, double pitch, double slack) {
+  constexpr int steps = 400;
+  std::vector<PlatePoint> points;
+  const auto add = [&](double radius, int i) {
+    const double angle = 2 * std::numbers::pi * turns * i / steps;
+    const double r = radius + pitch * turns * i / steps;
+    points.push_back({r * std::cos(angle), r * std::sin(angle)});
+  };
+  for (int i = 0; i <= steps; ++i) add(1, i);
+  for (int i = steps; i >= 0; --i) add(2, i);
+  return outline(points, slack);
+}
+
+/// Points in the middle of the band.
+std::vector<PlatePoint> middles(double turns) {
+  std::vector<PlatePoint> points;
+  for (int i = 0; i < 20; ++i) {
+    const double angle = 2 * std::numbers::pi * turns * (i + 0.5) / 20;
+    points.push_back({1.5 * std::cos(angle), 1.5 * std::sin(angle)});
+  }
+  return points;
+}
+
+TEST(Overlap, SimpleOutlines) {
+  EXPECT_EQ(find_overlap(outline({{0, 0}, {4, 0}, {4, 3}, {0, 3}}, 1e-3), {}).verdict, Truth::no);
+  EXPECT_EQ(find_overlap(outline({{0, 0}, {4, 0}, {4, 3}}, 0), {}).verdict, Truth::no);
+  // The same point twice: a ruling of length zero.
+  EXPECT_EQ(find_overlap(outline({{0, 0}, {4, 0}, {4, 3}, {0, 0}}, 0), {}).verdict, Truth::no);
+  EXPECT_EQ(find_overlap(band(0.99, 0, 1e-6), middles(0.99)).verdict, Truth::no);
+  EXPECT_EQ(find_overlap(band(3, 1.1, 1e-6), middles(3)).verdict, Truth::no);
+}
+
+TEST(Overlap, ABowTieAndWhereItCrosses) {
+  const Overlap overlap = find_overlap(outline({{0, 0}, {4, 4}, {4, 0}, {0, 4}}, 1e-3), {});
+  EXPECT_EQ(overlap.verdict, Truth::yes);
+  ASSERT_EQ(overlap.meetings.size(), 1U);
+  EXPECT_EQ(overlap.meetings[0].first, 0U);
+  EXPECT_EQ(overlap.meetings[0].second, 2U);
+  EXPECT_EQ(overlap.meetings[0].at, (PlatePoint{2, 2}));
+  EXPECT_TRUE(overlap.meetings[0].certain);
+}
+
+TEST(Overlap, MoreThanATurn) {
+  EXPECT_EQ(find_overlap(band(1.5, 0.3, 1e-6), middles(1.5)).verdict, Truth::yes);
+  // Exactly on itself twice: no edge crosses another, but points are covered twice.
+  EXPECT_EQ(find_overlap(band(2, 0, 1e-6), middles(2)).verdict, Truth::yes);
+  EXPECT_EQ(find_overlap(band(2, 0, 1e-6), {}).verdict, Truth::unknown);
+}
+
+TEST(Overlap, ATouchIsNotDecided) {
+  EXPECT_EQ(find_overlap(band(1, 0, 1e-9), middles(1)).verdict, Truth::unknown);
+  const std::vector<PlatePoint> notch{{0, 0}, {4, 0}, {4, 4}, {2, 1e-4}, {0, 4}};
+  EXPECT_EQ(find_overlap(outline(notch, 1e-5), {}).verdict, Truth::no);
+  EXPECT_EQ(find_overlap(outline(notch, 1e-3), {}).verdict, Truth::unknown);
+}
+
+/// Small integers: crossings by signs of integers.
+RC_GTEST_PROP(Overlap, AgreesWithIntegers, ()) {
+  const auto n = *rc::gen::inRange<std::size_t>(4, 9);
+  std::vector<std::array<long, 2>> v;
+  for (std::size_t i = 0; i < n; ++i) v.push_back({*rc::gen::inRange<long>(-20, 21), *rc::gen::inRange<long>(-20, 21)});
+  const auto side = [](const auto& a, const auto& b, const auto& c) {
+    const long x = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    return (x > 0) - (x < 0);
+  };
+  bool crosses = false;
+  bool touches = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    RC_PRE(v[i] != v[(i + 1) % n]);
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j + 1 == n) continue;
+      const auto& a = v[i];
+      const auto& b = v[i + 1];
+      const auto& c = v[j];
+      const auto& d = v[(j + 1) % n];
+      const int s = side(a, b, c) * side(a, b, d);
+      const int t = side(c, d, a) * side(c, d, b);
+      crosses = crosses || (s < 0 && t < 0);
+      touches = touches || (s == 0 || t == 0);
+    }
+  }
+  std::vector<PlatePoint> points;
+  for (const auto& x : v) points.push_back({static_cast<double>(x[0]), static_cast<double>(x[1])});
+  const Truth verdict = find_overlap(outline(points, 0), {}).verdict;
+  if (crosses) RC_ASSERT(verdict == Truth::yes);
+  if (!crosses && !touches) RC_ASSERT(verdict == Truth::no);
+}
+
+}  // namespace
+}  // namespace torse
