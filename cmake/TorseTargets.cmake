@@ -6,6 +6,7 @@
 #   torse_plugin(TARGET FOLDER OF PROGRAM LINK ...)  a module of FOLDER/**/*.cpp beside the program, which opens it at run time
 #   torse_tests(TARGET FOLDER LINK ...)        one GoogleTest program of FOLDER/**/*.cpp, each test known to ctest
 #   torse_benchmarks(FOLDER LINK ...)          one program for each file
+#   torse_peer(BENCHMARK NAME)                 a library to compare with, where it is found
 
 function(torse_link_headers base)
   file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/include/torse")
@@ -99,4 +100,14 @@ function(torse_benchmarks folder)
                                                    RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bench")
     torse_options(bench_${stem})
   endforeach()
+endfunction()
+
+# A peer that a benchmark runs beside torse where it is installed; the benchmark says which ones are missing.
+function(torse_peer benchmark name)
+  find_package(${name})
+  if(TARGET ${name}::${name})
+    string(TOUPPER "${name}" upper)
+    target_link_libraries(bench_${benchmark} PRIVATE ${name}::${name})
+    target_compile_definitions(bench_${benchmark} PRIVATE TORSE_BENCH_${upper})
+  endif()
 endfunction()

@@ -1,165 +1,225 @@
-// Root isolation by Arb: the complex roots of the square-free part, among which real ones are certified as such.
+// Rational roots first; the others are isolated by Descartes' rule in ball arithmetic, whose exponents are unbounded,
+// and bisected. No end of an interval is a root then, so every sign is found at some precision.
 #include "torse/exact/roots/real_roots.hpp"
 
-#include <gmp.h>
-
-#include <flint/fmpq.h>
-#include <flint/fmpq_poly.h>
-#include <flint/fmpz_poly.h>
-
-#include <acb.h>
-#include <arb_fmpz_poly.h>
+#include <arb.h>
+#include <arb_poly.h>
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "torse/exact/roots/integer_polynomial.hpp"
+#include "torse/exact/roots/rational_roots.hpp"
+
 namespace torse {
 namespace {
 
-/// An integer polynomial.
-class IntegerPolynomial {
+constexpr slong least_precision = 128;
+
+/// A real ball.
+class Real {
  public:
-  IntegerPolynomial() { fmpz_poly_init(f_); }
-  IntegerPolynomial(const IntegerPolynomial&) = delete;
-  IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
-  ~IntegerPolynomial() { fmpz_poly_clear(f_); }
-
-  fmpz_poly_struct* get() { return f_; }
-
- private:
-  fmpz_poly_t f_;
-};
-
-/// Complex balls.
-class Balls {
- public:
-  explicit Balls(slong size) : size_(size), balls_(_acb_vec_init(size)) {}
-  Balls(const Balls&) = delete;
-  Balls& operator=(const Balls&) = delete;
-  ~Balls() { _acb_vec_clear(balls_, size_); }
-
-  acb_ptr get() { return balls_; }
-
- private:
-  slong size_;
-  acb_ptr balls_;
-};
-
-/// The primitive square-free part of sum_i coefficients[i] x^i.
-void set_square_free(IntegerPolynomial& f, const std::vector<Rational>& coefficients) {
-  fmpq_poly_t rational;
-  fmpq_poly_init(rational);
-  for (std::size_t i = coefficients.size(); i-- > 0;) {
-    fmpq_t x;
-    fmpq_init(x);
-    fmpq_set_mpq(x, coefficients[i].mpq());
-    fmpq_poly_set_coeff_fmpq(rational, static_cast<slong>(i), x);
-    fmpq_clear(x);
+  Real() { arb_init(x_); }
+  Real(const Rational& q, slong precision) : Real() {
+    fmpq_t f;
+    fmpq_init(f);
+    fmpq_set_mpq(f, q.mpq());
+    arb_set_fmpq(x_, f, precision);
+    fmpq_clear(f);
   }
-  fmpq_poly_get_numerator(f.get(), rational);
-  fmpq_poly_clear(rational);
+  Real(const Real&) = delete;
+  Real& operator=(const Real&) = delete;
+  ~Real() { arb_clear(x_); }
+  arb_ptr get() { return x_; }
 
-  IntegerPolynomial derivative;
-  IntegerPolynomial common;
-  fmpz_poly_derivative(derivative.get(), f.get());
-  fmpz_poly_gcd(common.get(), f.get(), derivative.get());
-  if (fmpz_poly_degree(common.get()) > 0) fmpz_poly_div(f.get(), f.get(), common.get());
-  fmpz_poly_primitive_part(f.get(), f.get());
-}
+ private:
+  arb_t x_;
+};
 
-Rational from_arf(const arf_t x) {
-  fmpq_t q;
-  mpq_t m;
-  fmpq_init(q);
-  mpq_init(m);
-  arf_get_fmpq(q, x);
-  fmpq_get_mpq(m, q);
-  const Rational result = Rational::from_mpq(m);
-  mpq_clear(m);
-  fmpq_clear(q);
-  return result;
-}
+/// A polynomial with balls as coefficients.
+class RealPolynomial {
+ public:
+  RealPolynomial(const IntegerPolynomial& f, slong precision) {
+    arb_poly_init(f_);
+    arb_poly_set_fmpz_poly(f_, f.get(), precision);
+  }
+  RealPolynomial(const RealPolynomial&) = delete;
+  RealPolynomial& operator=(const RealPolynomial&) = delete;
+  ~RealPolynomial() { arb_poly_clear(f_); }
+  arb_poly_struct* get() { return f_; }
 
-/// The ball as an interval, rounded outwards to the precision, so that its ends are short numbers.
-RealRoot interval_of(const arb_t x, slong precision) {
-  arf_t lower, upper;
-  arb_t rounded;
-  arf_init(lower);
-  arf_init(upper);
-  arb_init(rounded);
-  arb_set_round(rounded, x, precision);
-  arb_get_lbound_arf(lower, rounded, ARF_PREC_EXACT);
-  arb_get_ubound_arf(upper, rounded, ARF_PREC_EXACT);
-  RealRoot root{from_arf(lower), from_arf(upper)};
-  arb_clear(rounded);
-  arf_clear(lower);
-  arf_clear(upper);
-  return root;
-}
+ private:
+  arb_poly_t f_;
+};
 
-/// The rational root p/q in the ball x, if there is one: q divides the leading coefficient a, so a x is an integer.
-/// None, too, where the ball a x is too wide to tell; `open` says so.
-std::optional<Rational> rational_root(IntegerPolynomial& f, const arb_t x, slong precision, bool& open) {
-  std::optional<Rational> result;
-  arb_t scaled;
-  fmpz_t numerator;
-  arb_init(scaled);
-  fmpz_init(numerator);
-  const fmpz* leading = fmpz_poly_lead(f.get());
-  arb_mul_fmpz(scaled, x, leading, precision);
-  if (arb_get_unique_fmpz(numerator, scaled)) {
-    fmpq_t candidate, value;
-    mpq_t m;
-    fmpq_init(candidate);
-    fmpq_init(value);
-    mpq_init(m);
-    fmpq_set_fmpz_frac(candidate, numerator, leading);
-    fmpz_poly_evaluate_fmpq(value, f.get(), candidate);
-    if (fmpq_is_zero(value)) {
-      fmpq_get_mpq(m, candidate);
-      result = Rational::from_mpq(m);
-    }
-    mpq_clear(m);
-    fmpq_clear(value);
-    fmpq_clear(candidate);
+/// The sign of a ball, 0 where it contains 0.
+int sign_of(const arb_t x) { return arb_is_positive(x) != 0 ? 1 : arb_is_negative(x) != 0 ? -1 : 0; }
+
+/// 2^e.
+Rational power_of_two(slong e) {
+  mpq_t q;
+  mpq_init(q);
+  mpq_set_ui(q, 1, 1);
+  if (e >= 0) {
+    mpq_mul_2exp(q, q, static_cast<mp_bitcnt_t>(e));
   } else {
-    open = open || arb_contains_int(scaled);
+    mpq_div_2exp(q, q, static_cast<mp_bitcnt_t>(-e));
   }
-  fmpz_clear(numerator);
-  arb_clear(scaled);
+  Rational result = Rational::from_mpq(q);
+  mpq_clear(q);
   return result;
 }
 
-Rational magnitude(const Rational& x) { return x.sign() < 0 ? -x : x; }
+/// 0 < lower < upper.
+struct Bracket {
+  Rational lower;
+  Rational upper;
 
-bool narrow(const RealRoot& root, const Rational& tolerance) {
-  const Rational smaller = std::min(magnitude(root.lower), magnitude(root.upper));
-  return root.lower.sign() == root.upper.sign() && root.upper - root.lower <= tolerance * smaller;
+  /// A point inside: far apart ends, which are powers of two, meet in the middle of their exponents.
+  Rational middle() const {
+    if (upper <= Rational(4) * lower) return (lower + upper) / Rational(2);
+    return power_of_two((exponent(lower) + exponent(upper)) / 2);
+  }
+
+ private:
+  static slong exponent(const Rational& x) {
+    return static_cast<slong>(x.numerator_bits()) - static_cast<slong>(x.denominator_bits());
+  }
+};
+
+/// An upper bound 2^e of the positive roots: |x| <= 2 max_i |a_{m-i} / a_m|^(1/i) (Fujiwara).
+slong root_exponent(const IntegerPolynomial& f, bool reversed) {
+  const slong m = f.degree();
+  const auto bits = [&](slong i) { return static_cast<slong>(fmpz_bits(f.coefficient(reversed ? m - i : i))); };
+  slong most = 0;
+  bool first = true;
+  for (slong i = 1; i <= m; ++i) {
+    if (bits(m - i) == 0) continue;
+    const slong ratio = bits(m - i) - bits(m) + 1;
+    const slong root = ratio >= 0 ? (ratio + i - 1) / i : -(-ratio / i);
+    most = first ? root : std::max(most, root);
+    first = false;
+  }
+  return most + 1;
 }
 
-/// The roots at one precision, or none if that does not settle all of them.
-std::optional<std::vector<RealRoot>> roots_at(IntegerPolynomial& f, slong precision, const Rational& tolerance) {
-  const slong degree = fmpz_poly_degree(f.get());
-  Balls balls(degree);
-  arb_fmpz_poly_complex_roots(balls.get(), f.get(), 0, precision);
-  std::vector<RealRoot> roots;
-  for (slong i = 0; i < degree; ++i) {
-    const acb_ptr z = balls.get() + i;
-    if (!arb_is_zero(acb_imagref(z))) continue;
-    bool open = false;
-    if (const std::optional<Rational> exact = rational_root(f, acb_realref(z), precision, open)) {
-      roots.push_back({*exact, *exact});
+/// How many sign variations (1 + x)^m f((lower + upper x) / (1 + x)) has: 0 and 1 are the number of roots between. None
+/// where a sign is open at this precision.
+std::optional<int> variations(const IntegerPolynomial& f, const Bracket& at, slong precision) {
+  RealPolynomial g(f, precision);
+  Real lower(at.lower, precision), width(at.upper - at.lower, precision), power;
+  arb_poly_taylor_shift_horner(g.get(), g.get(), lower.get(), precision);
+  arb_one(power.get());
+  for (slong i = 0; i <= f.degree(); ++i) {
+    arb_mul(g.get()->coeffs + i, g.get()->coeffs + i, power.get(), precision);
+    arb_mul(power.get(), power.get(), width.get(), precision);
+  }
+  _arb_poly_reverse(g.get()->coeffs, g.get()->coeffs, f.degree() + 1, f.degree() + 1);
+  arb_one(power.get());
+  arb_poly_taylor_shift_horner(g.get(), g.get(), power.get(), precision);
+  int count = 0;
+  int before = 0;
+  for (slong i = 0; i <= f.degree(); ++i) {
+    const arb_srcptr x = g.get()->coeffs + i;
+    if (arb_is_zero(x) != 0) continue;
+    const int sign = sign_of(x);
+    if (sign == 0) return std::nullopt;
+    if (sign == -before) ++count;
+    before = sign;
+  }
+  return count;
+}
+
+/// The sign of f at x, which is not a root.
+int sign_at(const IntegerPolynomial& f, const Rational& x) {
+  for (slong precision = least_precision;; precision *= 2) {
+    RealPolynomial g(f, precision);
+    Real at(x, precision), value;
+    arb_poly_evaluate_horner(value.get(), g.get(), at.get(), precision);
+    if (const int sign = sign_of(value.get())) return sign;
+  }
+}
+
+/// The positive roots of a square-free polynomial without rational roots, each alone in its bracket.
+std::vector<Bracket> isolate(const IntegerPolynomial& f) {
+  struct Node {
+    Bracket at;
+    slong precision;
+  };
+  std::vector<Bracket> isolated;
+  std::vector<Node> open;
+  const Bracket all{power_of_two(-root_exponent(f, true)), power_of_two(root_exponent(f, false))};
+  open.push_back({all, least_precision});
+  while (!open.empty()) {
+    const Node node = std::move(open.back());
+    open.pop_back();
+    // A sign that stays open may be that of a zero. The halves, with more precision each, settle it.
+    slong precision = node.precision;
+    std::optional<int> count = variations(f, node.at, precision);
+    if (!count) count = variations(f, node.at, precision *= 2);
+    if (count == 0) continue;
+    if (count == 1) {
+      isolated.push_back(node.at);
       continue;
     }
-    RealRoot root = interval_of(acb_realref(z), precision);
-    if (open || root.rational() || !narrow(root, tolerance)) return std::nullopt;
-    roots.push_back(std::move(root));
+    const Rational middle = node.at.middle();
+    const slong next = count ? node.precision : precision;
+    open.push_back({{middle, node.at.upper}, next});
+    open.push_back({{node.at.lower, middle}, next});
   }
-  std::ranges::sort(roots, {}, &RealRoot::lower);
-  for (std::size_t i = 1; i < roots.size(); ++i) {
-    if (roots[i].lower <= roots[i - 1].upper) return std::nullopt;
+  return isolated;
+}
+
+/// A root of f in a bracket, by bisection.
+class Refined {
+ public:
+  Refined(const IntegerPolynomial& f, Bracket at) : f_(&f), at_(std::move(at)), sign_(sign_at(f, at_.lower)) {}
+
+  void halve() {
+    Rational middle = at_.middle();
+    (sign_at(*f_, middle) == sign_ ? at_.lower : at_.upper) = std::move(middle);
   }
+  void narrow(const Rational& tolerance) {
+    while (at_.upper - at_.lower > tolerance * at_.lower) halve();
+  }
+  const Bracket& bracket() const { return at_; }
+
+ private:
+  const IntegerPolynomial* f_;
+  Bracket at_;
+  int sign_;
+};
+
+/// A root of the given polynomial or, with its sign, a rational number.
+struct Found {
+  bool negative;
+  std::optional<Refined> irrational;
+  Rational rational{};
+
+  RealRoot interval() const {
+    if (!irrational) return {rational, rational};
+    const Bracket& at = irrational->bracket();
+    return negative ? RealRoot{-at.upper, -at.lower} : RealRoot{at.lower, at.upper};
+  }
+};
+
+/// Narrows neighbours until they are apart.
+std::vector<RealRoot> separated(std::vector<Found> found) {
+  const auto lower = [](const Found& x) { return x.interval().lower; };
+  for (bool apart = false; !apart;) {
+    apart = true;
+    std::ranges::sort(found, {}, lower);
+    for (std::size_t i = 1; i < found.size(); ++i) {
+      if (found[i].interval().lower > found[i - 1].interval().upper) continue;
+      apart = false;
+      for (Found* x : {&found[i - 1], &found[i]}) {
+        if (x->irrational) x->irrational->halve();
+      }
+    }
+  }
+  std::vector<RealRoot> roots;
+  for (const Found& x : found) roots.push_back(x.interval());
   return roots;
 }
 
@@ -169,14 +229,25 @@ std::vector<RealRoot> real_roots(const std::vector<Rational>& coefficients, int 
   if (std::ranges::all_of(coefficients, [](const Rational& x) { return x.sign() == 0; })) {
     throw InvalidInput("coefficients", "expected a polynomial that is not zero");
   }
-  IntegerPolynomial f;
-  set_square_free(f, coefficients);
-  if (fmpz_poly_degree(f.get()) == 0) return {};
-  Rational tolerance(1);
-  for (int i = 0; i < bits; ++i) tolerance /= Rational(2);
-  for (slong precision = bits + 16;; precision *= 2) {
-    if (std::optional<std::vector<RealRoot>> roots = roots_at(f, precision, tolerance)) return *std::move(roots);
+  IntegerPolynomial f = square_free(coefficients);
+  std::vector<Found> found;
+  for (Rational& x : divide_out_rational_roots(f)) found.push_back({false, std::nullopt, std::move(x)});
+  IntegerPolynomial reflected;
+  fmpz_poly_set(reflected.get(), f.get());
+  for (slong i = 1; i <= f.degree(); i += 2) {
+    fmpz* x = reflected.get()->coeffs + i;
+    fmpz_neg(x, x);
   }
+  const Rational tolerance = power_of_two(-bits);
+  for (const bool negative : {false, true}) {
+    const IntegerPolynomial& g = negative ? reflected : f;
+    if (g.degree() < 1) continue;
+    for (Bracket& at : isolate(g)) {
+      found.push_back({negative, Refined(g, std::move(at))});
+      found.back().irrational->narrow(tolerance);
+    }
+  }
+  return separated(std::move(found));
 }
 
 }  // namespace torse

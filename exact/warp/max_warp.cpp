@@ -10,6 +10,7 @@
 
 #include "torse/developable/warp.hpp"
 #include "torse/exact/warp/common_factor.hpp"
+#include "torse/exact/warp/piece_bounds.hpp"
 #include "torse/exact/warp/rounded_net.hpp"
 #include "torse/exact/warp/search.hpp"
 
@@ -56,6 +57,17 @@ SineForms<S> sine_forms_of(const Surface<S, D>& surface, int k) {
 template <class S>
 BernsteinQuotient<S> quotient_of(const SineForms<S>& forms) {
   return {Bernstein<S>::from_form(forms.numerator), Bernstein<S>::from_form(forms.denominator)};
+}
+
+/// A positive multiple with integer coefficients: products of these need no reduction of fractions.
+FormVector<Rational> cleared(FormVector<Rational> v) {
+  std::vector<Rational> all;
+  for (const BinaryForm<Rational>& f : v) {
+    for (int i = 0; i <= f.degree(); ++i) all.push_back(f[i]);
+  }
+  const Rational factor = ScalarTraits<Rational>::common_denominator(all);
+  for (BinaryForm<Rational>& f : v) f = factor * f;
+  return v;
 }
 
 /// Whether N <= limit D on [0, 1], by the signs of the difference between its roots. It settles limits that are
@@ -185,10 +197,12 @@ class WarpRun {
   std::vector<int> rounded_stage(const std::vector<int>& pieces) {
     const std::optional<RoundedNet<D>> net = rounded_net(u_, c_, d_);
     if (!net) return pieces;
+    std::vector<int> high = pieces;
+    if constexpr (D == 3) high = high_pieces(*net, pieces);
     std::vector<int> open;
     std::vector<WarpPiece<RoundedQuotient>> quotients;
-    quotients.reserve(pieces.size());
-    for (const int k : pieces) {
+    quotients.reserve(high.size());
+    for (const int k : high) {
       if (std::optional<RoundedQuotient> quotient = rounded_quotient(*net, k)) {
         quotients.push_back({k, *std::move(quotient)});
       } else {
@@ -200,10 +214,32 @@ class WarpRun {
     return open;
   }
 
+  /// Settles what the cheap bounds can, and returns the other pieces.
+  std::vector<int> high_pieces(const RoundedNet<3>& net, const std::vector<int>& pieces) {
+    if (static_cast<long>(pieces.size()) > budget(1)) return pieces;
+    const std::vector<PieceBound> bounds = piece_bounds(net, pieces);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      detail::note(record_, bounds[i].at_begin, pieces[i], 0);
+      detail::note(record_, bounds[i].at_end, pieces[i], 1);
+    }
+    record_.intervals += static_cast<long>(pieces.size());
+    if (exceeded()) return {};
+    const double threshold = detail::search_threshold(record_, goal_);
+    std::vector<int> high;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (bounds[i].upper <= threshold) {
+        record_.upper = std::max(record_.upper, bounds[i].upper);
+      } else {
+        high.push_back(pieces[i]);
+      }
+    }
+    return high;
+  }
+
   std::vector<int> ball_stage(const std::vector<int>& pieces) {
     stage_ = WarpStage::balls;
-    if (static_cast<long>(pieces.size()) > budget(ball_cost)) return pieces;
     surface_ = converted<Rational, S, D>(u_, c_, d_, exact);
+    if (static_cast<long>(pieces.size()) > budget(ball_cost)) return pieces;
     const Surface<WarpBall, D> surface = converted<WarpBall, Rational, D>(
         surface_->knots, surface_->c, surface_->d, [](const Rational& x) { return WarpBall::rational(x.text()); });
     std::vector<WarpPiece<BernsteinQuotient<WarpBall>>> quotients;
@@ -217,7 +253,8 @@ class WarpRun {
     std::vector<int> curved;
     std::vector<SineForms<Rational>> forms;
     for (const int k : pieces) {
-      const RulingForms<Rational> ruling = ruling_forms<Rational>(surface_->knots, surface_->c, surface_->d, k);
+      const RulingForms<Rational> fractions = ruling_forms<Rational>(surface_->knots, surface_->c, surface_->d, k);
+      const RulingForms<Rational> ruling{cleared(fractions.a), cleared(fractions.w), cleared(fractions.b)};
       if (definitely(form_dot(form_cross(ruling.a, ruling.b), ruling.w).zero())) continue;
       const auto [first, second] = normal_forms(ruling);
       const VectorWithZeros m = without_common_zeros(first);
@@ -225,7 +262,7 @@ class WarpRun {
       for (const auto* zeros : {&m.zeros, &n.zeros}) {
         for (const RealRoot& t : *zeros) exclusions_.push_back({k, parameter(k, t.lower), parameter(k, t.upper)});
       }
-      forms.push_back(sine_forms(m.direction, n.direction));
+      forms.push_back(sine_forms(cleared(m.direction), cleared(n.direction)));
       curved.push_back(k);
     }
     return settle_exactly(curved, forms);

@@ -1,7 +1,8 @@
 // Bounds of a quotient N / D of two polynomials in Bernstein form on [0, 1], where D > 0: it is not larger than the
 // largest quotient N_i / D_i of their coefficients, and this bound converges quadratically under subdivision.
-//   QuotientBound               what the coefficients say
+//   QuotientBound            what the coefficients say
 //   enclosure                of a Rational or a Ball as an Interval
+//   quotient_enclosure       of a quotient of two of them
 //   RoundedQuotient          coefficients in double with error bounds
 //   BernsteinQuotient<S>     coefficients in a field
 #pragma once
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -50,6 +52,31 @@ inline Interval enclosure(const Rational& x) {
                       : Interval::hull(nearest, -detail::next_below(-nearest));
 }
 
+/// x / y for y > 0, rounded outwards; exact where that is cheap. Reducing a fraction of long numbers is not, so these
+/// are compared by their leading 53 bits.
+inline Interval quotient_enclosure(const Rational& x, const Rational& y) {
+  constexpr std::size_t short_number = 2048;
+  if (x.sign() == 0 ||
+      std::max({x.numerator_bits(), x.denominator_bits(), y.numerator_bits(), y.denominator_bits()}) <= short_number) {
+    return enclosure(Rational(x / y));
+  }
+  long top = 0, bottom = 0, part = 0;
+  double above = mpz_get_d_2exp(&top, mpq_numref(x.mpq())) * mpz_get_d_2exp(&part, mpq_denref(y.mpq()));
+  top += part;
+  const double below = mpz_get_d_2exp(&bottom, mpq_denref(x.mpq())) * mpz_get_d_2exp(&part, mpq_numref(y.mpq()));
+  bottom += part;
+  // Each of the four numbers lacks a relative 2^-52 at most, and three operations round: less than 2^-49 together.
+  constexpr double error = 0x1p-49;
+  above /= below;
+  const long exponent = std::clamp(top - bottom, -5000L, 5000L);
+  const double outer = std::ldexp(above * (1 + error), static_cast<int>(exponent));
+  const double inner = std::ldexp(above * (1 - error), static_cast<int>(exponent));
+  const double lower = detail::next_below(std::min(inner, outer));
+  const double upper = -detail::next_below(-std::max(inner, outer));
+  return Interval::hull(lower == detail::infinity ? std::numeric_limits<double>::max() : lower,
+                        upper == -detail::infinity ? std::numeric_limits<double>::lowest() : upper);
+}
+
 template <int Bits>
 Interval enclosure(const Ball<Bits>& x) {
   const double middle = x.midpoint();
@@ -57,6 +84,11 @@ Interval enclosure(const Ball<Bits>& x) {
   if (!x.is_finite() || !std::isfinite(middle) || !std::isfinite(radius)) return Interval::line();
   const double reach = -detail::next_below(-radius);
   return Interval::hull(lower_sum(detail::next_below(middle), -reach), -lower_sum(detail::next_below(-middle), -reach));
+}
+
+template <int Bits>
+Interval quotient_enclosure(const Ball<Bits>& x, const Ball<Bits>& y) {
+  return enclosure(x / y);
 }
 
 /// N and D in doubles, with the errors of their coefficients. Movable at the cost of one pointer.
@@ -146,14 +178,19 @@ class BernsteinQuotient {
     QuotientBound bound{0, 0};
     for (int i = 0; i <= numerator_.degree(); ++i) {
       if (!definitely(less(from_int<S>(0), denominator_[i]))) {
-        const bool hopeful = !ScalarTraits<S>::decided && nominal(denominator_[i]) > 0;
+        const bool hopeful = maybe_positive(denominator_[i]);
         bound = {detail::infinity, hopeful ? bound.nominal : detail::infinity};
         if (!hopeful) return bound;
         continue;
       }
-      const S ratio = numerator_[i] / denominator_[i];
-      bound.value = std::max(bound.value, enclosure(ratio).upper());
-      bound.nominal = std::max(bound.nominal, nominal(ratio));
+      if constexpr (ScalarTraits<S>::exact) {
+        bound.value = std::max(bound.value, quotient_enclosure(numerator_[i], denominator_[i]).upper());
+        bound.nominal = bound.value;  // nothing hides in the error
+      } else {
+        const S ratio = numerator_[i] / denominator_[i];
+        bound.value = std::max(bound.value, enclosure(ratio).upper());
+        bound.nominal = std::max(bound.nominal, ratio.midpoint());
+      }
     }
     return bound;
   }
@@ -170,17 +207,17 @@ class BernsteinQuotient {
 
  private:
   static S half() { return ratio<S>(1, 2); }
-  /// The middle of a ball; for exact fields the upper end, so that nothing hides in the error.
-  static double nominal(const S& x) {
+  /// Whether the middle of a ball is; exact numbers have been decided.
+  static bool maybe_positive(const S& x) {
     if constexpr (ScalarTraits<S>::exact) {
-      return enclosure(x).upper();
+      return false;
     } else {
-      return x.midpoint();
+      return x.midpoint() > 0;
     }
   }
   double lower_at(int i) const {
     if (!definitely(less(from_int<S>(0), denominator_[i]))) return 0;
-    return std::max(0.0, enclosure(S(numerator_[i] / denominator_[i])).lower());
+    return std::max(0.0, quotient_enclosure(numerator_[i], denominator_[i]).lower());
   }
 
   Bernstein<S> numerator_;

@@ -53,6 +53,15 @@ inline double search_threshold(const WarpRecord& record, const WarpGoal& goal) {
   return angle < std::numbers::pi / 2 ? sine * sine : 1;
 }
 
+/// A value attained at a position of a piece. Whether it is the largest so far.
+inline bool note(WarpRecord& record, double value, int piece, double position) {
+  if (value <= record.lower) return false;
+  record.lower = value;
+  record.piece = piece;
+  record.position = position;
+  return true;
+}
+
 template <class Q>
 struct SearchNode {
   Q quotient;
@@ -79,11 +88,7 @@ std::vector<std::size_t> search(std::vector<WarpPiece<Q>>& pieces, const WarpGoa
   constexpr double narrowest = 0x1p-48;
   double threshold = detail::search_threshold(record, goal);
   const auto note = [&](double value, int piece, double position) {
-    if (value <= record.lower) return;
-    record.lower = value;
-    record.piece = piece;
-    record.position = position;
-    threshold = detail::search_threshold(record, goal);
+    if (detail::note(record, value, piece, position)) threshold = detail::search_threshold(record, goal);
   };
   const auto exceeded = [&] { return goal.limit && record.lower > goal.limit->upper(); };
   for (const WarpPiece<Q>& piece : pieces) {

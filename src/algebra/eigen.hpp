@@ -9,8 +9,11 @@
 
 namespace Eigen {
 
+// Eigen's own arrays have traits of Eigen; they are asked first, as the question whether one is a ring needs its
+// traits.
 template <class S>
-requires(torse::Ring<S>&& std::is_class_v<S>) struct NumTraits<S> : GenericNumTraits<S> {
+requires(std::is_class_v<S> && !std::is_base_of_v<EigenBase<S>, S> && torse::Ring<S>) struct NumTraits<S>
+    : GenericNumTraits<S> {
   using Real = S;
   using NonInteger = S;
   using Literal = S;

@@ -57,6 +57,63 @@ void insert_incidences(Echelon<S, 4>& system, const std::array<BinaryForm<S>, 4>
   }
 }
 
+/// A short proof that the rulings of a piece pass through a point, for one piece after another: seen from it the
+/// control rows that act on the piece are proportional by one ratio, l P_i = m Q_i, so that the curves are.
+template <Field S>
+class RowsSeenFrom {
+ public:
+  /// A point with a coordinate 1, and two rows; the rows have to outlive this object.
+  RowsSeenFrom(const Vec<S, 4>& centre, std::span<const Vec<S, 4>> p, std::span<const Vec<S, 4>> q)
+      : centre_(centre), p_(p), q_(q) {
+    while (!definitely(equal(S(centre_[unit_]), from_int<S>(1)))) ++unit_;
+  }
+
+  /// Whether the rows first, ..., last are proportional. Those that were seen to be for the piece before are not looked
+  /// at again.
+  bool proportional(std::size_t first, std::size_t last) {
+    if (first < begin_ || first > end_) begin_ = end_ = first;
+    if (extend(last)) return true;
+    ratio_.reset();
+    begin_ = end_ = first;
+    return extend(last);
+  }
+
+ private:
+  using View = std::array<S, 3>;
+
+  View view(const Vec<S, 4>& x) const {
+    View seen;
+    for (int j = 0, to = 0; j < 4; ++j) {
+      if (j != unit_) seen[static_cast<std::size_t>(to++)] = x[j] - x[unit_] * centre_[j];
+    }
+    return seen;
+  }
+
+  bool extend(std::size_t last) {
+    while (end_ <= last && holds(end_)) ++end_;
+    return end_ > last;
+  }
+
+  bool holds(std::size_t i) {
+    const View p = view(p_[i]);
+    const View q = view(q_[i]);
+    for (std::size_t j = 0; j < 3 && !ratio_; ++j) {
+      if (!definitely(is_zero(p[j])) || !definitely(is_zero(q[j]))) ratio_ = {q[j], p[j]};
+    }
+    for (std::size_t j = 0; j < 3 && ratio_; ++j) {
+      if (!definitely(equal(ratio_->first * p[j], ratio_->second * q[j]))) return false;
+    }
+    return true;
+  }
+
+  Vec<S, 4> centre_;
+  std::span<const Vec<S, 4>> p_, q_;
+  int unit_ = 0;
+  std::optional<std::pair<S, S>> ratio_{};  // l, m; they hold from begin_ to before end_
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+};
+
 }  // namespace detail
 
 /// The class of a ruled spline with homogeneous rows p, q that is known to be developable (condition.hpp decides that;
@@ -81,8 +138,14 @@ Classification<S> classify(const KnotList<S>& u, std::span<const Vec<S, 4>> p, s
   if (span.rank() < 4) return {SurfaceClass::plane};
 
   Echelon<S, 4> incidence;
+  std::optional<detail::RowsSeenFrom<S>> centre;
   for (int k : pieces) {
     if (incidence.rank() == 4) break;
+    if (incidence.rank() == 3) {
+      if (!centre) centre.emplace(incidence.kernel().front(), p, q);
+      const std::size_t first = static_cast<std::size_t>(k - 1);
+      if (centre->proportional(first, first + static_cast<std::size_t>(u.degree()))) continue;
+    }
     const std::vector<BinaryForm<S>> basis = basis_forms(u, k);
     detail::insert_incidences(incidence, piece_forms<S, 4>(basis, p, k), piece_forms<S, 4>(basis, q, k));
   }

@@ -65,6 +65,54 @@ TEST(Classify, CylinderAlongAnAxis) {
   EXPECT_TRUE(found.direction.value() == point(0, 0, 1));
 }
 
+/// Degree 2, `pieces` pieces between double knots; d_i = v_i + r_i (c_i - v_i).
+template <class Vertex, class Ratio>
+Net seen_from(int pieces, Vertex vertex, Ratio ratio) {
+  std::vector<Q> knots;
+  for (int i = 0; i <= pieces; ++i) knots.insert(knots.end(), 2, Q(i));
+  std::vector<Point3> c, d;
+  for (int i = 0; i <= 2 * pieces; ++i) {
+    c.push_back(point(i, (i * i * 7) % 11 - 3, (i * 5) % 13 + 1));
+    const Point3 v = vertex(i, c.back());
+    Point3 x = v;
+    add_scaled(x, Q(ratio(i)), difference(c.back(), v));
+    d.push_back(x);
+  }
+  const std::vector<Q> ones(c.size(), Q(1));
+  return {KnotList<Q>(2, knots), {c, ones}, {d, ones}};
+}
+
+TEST(Classify, ConesOfManyPieces) {
+  const Point3 vertex = point(3, -20, 7);
+  const auto same = [&](int, const Point3&) { return vertex; };
+  const Classification<Q> found = seen_from(9, same, [](int) { return 3; }).classified();
+  EXPECT_EQ(found.kind, SurfaceClass::cone);
+  EXPECT_TRUE(found.vertex.value() == vertex);
+}
+
+/// The boundary curves pass through the vertex between two pieces, where the ratio may change.
+TEST(Classify, ConesWhoseRatioChanges) {
+  const Point3 vertex = point(8, 5, 2);  // c_8
+  const auto same = [&](int, const Point3&) { return vertex; };
+  const Net cone = seen_from(9, same, [](int i) { return i < 8 ? 3 : -2; });
+  EXPECT_TRUE(cone.c.points[8] == vertex);
+  EXPECT_TRUE(cone.developable());
+  EXPECT_EQ(cone.classified().kind, SurfaceClass::cone);
+  EXPECT_TRUE(cone.classified().vertex.value() == vertex);
+}
+
+TEST(Classify, TwoConesAreATangentSurface) {
+  const Point3 first = point(3, -20, 7), shared = point(8, 5, 2);
+  Point3 second = first;  // 2 (c - first) + first = 3 (c - second) + second for c = shared
+  add(second, shared);
+  divide(second, Q(2));
+  const Net cones = seen_from(
+      9, [&](int i, const Point3&) { return i <= 8 ? first : second; }, [](int i) { return i <= 8 ? 2 : 3; });
+  EXPECT_TRUE(cones.c.points[8] == shared);
+  EXPECT_TRUE(cones.developable());
+  EXPECT_EQ(cones.classified().kind, SurfaceClass::tangent);
+}
+
 TEST(Classify, ConeByItsVertexAlsoBetweenDifferentWeights) {
   const Point3 vertex = point(3, -2, 11);
   Net cone = net(cubic, {});

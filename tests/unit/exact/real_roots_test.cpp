@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "torse/exact/roots/integer_polynomial.hpp"
+
 namespace torse {
 namespace {
 
@@ -89,6 +93,73 @@ TEST(RealRoots, IrrationalRootsNextToIntegersAreNotTakenForThem) {
     ASSERT_EQ(roots.size(), 2U);
     EXPECT_FALSE(roots[1].rational()) << digits;
   }
+}
+
+Rational power_of_ten(int exponent) {
+  Rational power(1);
+  for (int i = 0; i < std::abs(exponent); ++i) power *= Rational(10);
+  return exponent < 0 ? Rational(1) / power : power;
+}
+
+/// Roots 10^e 3/7 and +-10^e sqrt(2) for exponents e from -1500 to 1500, the ends of the range of a long double and
+/// more.
+TEST(RealRoots, OfAllSizesTogether) {
+  const std::vector<int> exponents{-1500, -1000, -300, 0, 1, 300, 1500};
+  std::vector<Rational> f{Rational(1)};
+  for (const int e : exponents) {
+    f = product(f, {q("-3/7") * power_of_ten(e), Rational(1)});
+    f = product(f, {Rational(-2) * power_of_ten(2 * e), Rational(0), Rational(1)});
+  }
+  const std::vector<RealRoot> roots = real_roots(f, 64);
+  ASSERT_EQ(roots.size(), 3 * exponents.size());
+  std::size_t i = exponents.size();  // the negative ones come first
+  for (const int e : exponents) {
+    EXPECT_EQ(roots[i].lower, q("3/7") * power_of_ten(e));
+    EXPECT_EQ(roots[i].upper, roots[i].lower);
+    const RealRoot& root = roots[i + 1];
+    const Rational square = Rational(2) * power_of_ten(2 * e);
+    EXPECT_LT(root.lower * root.lower, square);
+    EXPECT_GT(root.upper * root.upper, square);
+    EXPECT_LE((root.upper - root.lower) * power_of_ten(19), root.lower);  // 2^-64 < 10^-19
+    i += 2;
+  }
+}
+
+/// As many roots as Sturm's theorem counts, each with a sign change or exact.
+TEST(RealRoots, AsManyAsSturmCounts) {
+  std::mt19937_64 rng(1);
+  for (int degree = 1; degree <= 24; ++degree) {
+    for (const int spread : {1, 5, 1000}) {
+      std::vector<Rational> f;
+      for (int i = 0; i < degree; ++i)
+        f.emplace_back(static_cast<int>(rng() % static_cast<unsigned>(2 * spread + 1)) - spread);
+      f.emplace_back(1 + static_cast<int>(rng() % static_cast<unsigned>(spread)));
+      if (rng() % 2 == 0) f = product(f, linear("5/3"));
+      const IntegerPolynomial simple = square_free(f);
+      std::vector<Rational> g;
+      for (slong i = 0; i <= simple.degree(); ++i) {
+        char* text = fmpz_get_str(nullptr, 10, simple.coefficient(i));
+        g.push_back(q(text));
+        flint_free(text);
+      }
+      const std::vector<RealRoot> roots = real_roots(f, 20);
+      EXPECT_EQ(static_cast<slong>(roots.size()), fmpz_poly_num_real_roots_sturm(simple.get()));
+      for (const RealRoot& root : roots) {
+        EXPECT_EQ((value(g, root.lower) * value(g, root.upper)).sign(), root.rational() ? 0 : -1);
+      }
+      for (std::size_t i = 1; i < roots.size(); ++i) EXPECT_LT(roots[i - 1].upper, roots[i].lower);
+    }
+  }
+}
+
+/// A linear factor with numbers of thousands of digits, which no short fraction comes near.
+TEST(RealRoots, RationalOnesOfAnyHeight) {
+  const Rational x = (power_of_ten(3000) + Rational(7)) / (power_of_ten(2999) * Rational(3) + Rational(1));
+  const std::vector<RealRoot> roots = real_roots(product({-x, Rational(1)}, {q("-11"), q("0"), q("1")}), 8);
+  ASSERT_EQ(roots.size(), 3U);
+  EXPECT_FALSE(roots[1].rational());  // 11^(1/2) = 3.316..., x = 3.333...
+  EXPECT_EQ(roots[2].lower, x);
+  EXPECT_TRUE(roots[2].rational());
 }
 
 TEST(RealRoots, ConstantsAndZero) {

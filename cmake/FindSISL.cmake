@@ -1,0 +1,11 @@
+# SISL 4.6, a peer of the benchmarks, as Debian packages it (a static library): target SISL::SISL.
+find_path(SISL_INCLUDE_DIR sisl.h)
+find_library(SISL_LIBRARY sisl)
+mark_as_advanced(SISL_INCLUDE_DIR SISL_LIBRARY)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(SISL REQUIRED_VARS SISL_LIBRARY SISL_INCLUDE_DIR)
+if(SISL_FOUND AND NOT TARGET SISL::SISL)
+  add_library(SISL::SISL UNKNOWN IMPORTED)
+  set_target_properties(SISL::SISL PROPERTIES IMPORTED_LOCATION "${SISL_LIBRARY}" INTERFACE_LINK_LIBRARIES m)
+  target_include_directories(SISL::SISL SYSTEM INTERFACE "${SISL_INCLUDE_DIR}")
+endif()
