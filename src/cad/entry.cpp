@@ -22,9 +22,20 @@ class Formats final : public CadFormats {
       model = read_model(format, path);
       return {};
     } catch (const Standard_Failure& failure) {
-      return std::string("cannot be read by OpenCASCADE: ") + failure.GetMessageString();
+      const std::string damage = complaint(format, path);
+      return (damage.empty() ? "" : damage + ": ") + "OpenCASCADE cannot read it: " + failure.GetMessageString();
     } catch (const std::exception& error) {
       return error.what();
+    }
+  }
+
+  std::string complaint(CadFormat format, const std::string& path) noexcept override {
+    try {
+      return first_complaint(format, path);
+    } catch (const Standard_Failure&) {
+      return {};
+    } catch (const std::exception&) {
+      return {};
     }
   }
 };

@@ -3,6 +3,7 @@
 #include <IGESBasic_Name.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <IGESData_TransfEntity.hxx>
 #include <IGESGeom_BSplineSurface.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
 #include <IGESGeom_Line.hxx>
@@ -124,7 +125,9 @@ class IgesFile {
     tolerance_ = std::max(model.tolerance, Precision::Confusion());
     for (const Item& item : find_items()) {
       CadFace face{.number = static_cast<int>(model.faces.size()) + 1, .name = name_of(item.entity)};
-      if (item.surface.IsNull()) throw Unreadable("expected the surface of face " + std::to_string(face.number));
+      if (item.surface.IsNull()) throw Unreadable(without_surface(face.number, model_, model_->Number(item.entity)));
+      require_sound(model_, item.surface);
+      if (item.surface->HasTransf()) require_sound(model_, item.surface->Transf());
       if (face.name.empty()) face.name = name_of(item.surface);
       fill(item, face);
       model.faces.push_back(std::move(face));

@@ -7,6 +7,7 @@
 #include <gp_GTrsf.hxx>
 #include <string>
 
+#include "torse/cad/face.hpp"
 #include "torse/cad/read.hpp"
 #include "torse/cad/strips.hpp"
 
@@ -34,6 +35,7 @@ CadRail rail_of_spline(const IGESGeom_BSplineCurve& spline) {
 
 CadRail IgesCurves::rail(const Handle(IGESData_IGESEntity) & curve) const {
   if (curve.IsNull()) throw Unreadable("expected a curve, found nothing");
+  require_sound(model_, curve);
   CadRail rail;
   if (const auto line = Handle(IGESGeom_Line)::DownCast(curve); !line.IsNull()) {
     rail = rail_of_line(*line);

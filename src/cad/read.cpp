@@ -5,8 +5,13 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
+#include <IGESControl_Reader.hxx>
+#include <Interface_Check.hxx>
+#include <STEPControl_Reader.hxx>
 #include <ShapeFix_Face.hxx>
+#include <algorithm>
 #include <gp_Trsf.hxx>
+#include <sstream>
 
 #include "torse/cad/face.hpp"
 
@@ -37,6 +42,28 @@ CadModel read_model(CadFormat format, const std::string& path) {
   return model;
 }
 
+std::string complaint_of(const Handle(Interface_InterfaceModel) & model, int number) {
+  if (number < 1 || number > model->NbEntities()) return {};
+  const Handle(Interface_Check) check = model->Check(number, true);
+  if (check.IsNull() || !check->HasFailed()) return {};
+  std::ostringstream label;
+  model->Print(model->Value(number), label, 1);
+  const std::string text = label.str();
+  return text.substr(std::min(text.find_first_not_of(' '), text.size())) + ": " + check->CFail(1);
+}
+
+std::string first_complaint(CadFormat format, const std::string& path) {
+  STEPControl_Reader step;
+  IGESControl_Reader iges;
+  XSControl_Reader& reader = format == CadFormat::step ? static_cast<XSControl_Reader&>(step) : iges;
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone || reader.Model().IsNull()) return {};
+  const Handle(Interface_InterfaceModel) model = reader.Model();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    if (std::string text = complaint_of(model, i); !text.empty()) return text;
+  }
+  return {};
+}
+
 CadPlacement placement_of(const gp_Trsf& map, double scale) {
   CadPlacement placement{};
   for (int row = 1; row <= 3; ++row) {
@@ -59,6 +86,17 @@ std::optional<Box> box_of(const TopoDS_Face& given, double tolerance) {
   box.u_resolution = surface.UResolution(tolerance);
   box.v_resolution = surface.VResolution(tolerance);
   return box;
+}
+
+std::string without_surface(int face, const Handle(Interface_InterfaceModel) & model, int entity) {
+  const std::string complaint = complaint_of(model, entity);
+  return "expected the surface of face " + std::to_string(face) + (complaint.empty() ? "" : ": " + complaint);
+}
+
+void require_sound(const Handle(Interface_InterfaceModel) & model, const Handle(Standard_Transient) & entity) {
+  if (const std::string complaint = complaint_of(model, model->Number(entity)); !complaint.empty()) {
+    throw Unreadable(complaint);
+  }
 }
 
 double exact_metres(double metres) {

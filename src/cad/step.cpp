@@ -99,6 +99,9 @@ class StepFile {
     const Interface_Graph graph(model_, reader_.WS()->Protocol());
     const std::vector<Item> items = find_items(graph);
     const Units units = main_units(items);
+    for (const Item& item : items) {
+      if (!item.surface.IsNull()) require_sound_below(graph, item.surface);
+    }
     transfer(units);
     CadModel model{.unit = unit_name(units.metres), .metres = units.metres, .tolerance = units.tolerance};
     for (const Item& item : items) add(item, units, model);
@@ -118,6 +121,19 @@ class StepFile {
       }
     }
     return items;
+  }
+
+  /// OpenCASCADE reads what is no number as 0: a surface of which any part does not fit its definition is refused.
+  void require_sound_below(const Interface_Graph& graph, const Entity& top) {
+    std::vector<Entity> rest{top};
+    while (!rest.empty()) {
+      const Entity entity = rest.back();
+      rest.pop_back();
+      if (!sound_.insert(entity.get()).second) continue;
+      require_sound(model_, entity);
+      for (Interface_EntityIterator below = graph.Shareds(entity); below.More(); below.Next())
+        rest.push_back(below.Value());
+    }
   }
 
   /// Whether a surface is neither that of a face nor a part of other geometry.
@@ -187,7 +203,7 @@ class StepFile {
     const std::vector<TopoDS_Face> faces = faces_of(item);
     for (std::size_t i = 0; i < std::max<std::size_t>(faces.size(), 1); ++i) {
       CadFace face{.number = static_cast<int>(model.faces.size()) + 1, .name = item.name};
-      if (item.surface.IsNull()) throw Unreadable("expected the surface of face " + std::to_string(face.number));
+      if (item.surface.IsNull()) throw Unreadable(without_surface(face.number, model_, model_->Number(item.entity)));
       if (faces.empty()) {
         fill(item, nullptr, main, face);
         if (item.entity != Entity(item.surface)) face.remark = "its boundary cannot be used: the whole surface";
@@ -219,6 +235,7 @@ class StepFile {
   STEPControl_Reader reader_;
   Handle(StepData_StepModel) model_;
   std::map<const Standard_Transient*, std::vector<TopoDS_Face>> instances_;
+  std::set<const Standard_Transient*> sound_;
 };
 
 }  // namespace

@@ -124,6 +124,27 @@ class MemoryFile {
   int descriptor_;
 };
 
+std::string run_reader(const std::string& file, CadFormat format, const std::string& bytes) {
+  return run_cad(file, bytes.size(), [&](CadFormats& formats) {
+    CadModel read;
+    const MemoryFile copy(bytes);
+    const std::string reason = formats.read(format, copy.path(), read);
+    if (!reason.empty()) throw Error(reason);
+    return cad_bytes(read);
+  });
+}
+
+/// What may explain a crash.
+std::string complaint_about(const std::string& file, CadFormat format, const std::string& bytes) {
+  try {
+    const std::string complaint = run_cad(
+        file, bytes.size(), [&](CadFormats& formats) { return formats.complaint(format, MemoryFile(bytes).path()); });
+    return complaint;
+  } catch (const FileError&) {
+    return "";
+  }
+}
+
 }  // namespace
 
 std::optional<fs::path> cad_plugin() {
@@ -156,19 +177,19 @@ std::string run_cad(const std::string& file, std::size_t size, const std::functi
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!text || status != 0 || text->empty()) throw FileError(file, failure_of(status, text.has_value(), seconds));
+  if (!text || status != 0 || text->empty()) throw CadCrash(file, failure_of(status, text.has_value(), seconds));
   if (text->front() != answer) throw FileError(file, text->substr(1));
   return text->substr(1);
 }
 
 CadModel read_cad(const std::string& file, CadFormat format, const std::string& bytes) {
-  const std::string model = run_cad(file, bytes.size(), [&](CadFormats& formats) {
-    CadModel read;
-    const MemoryFile copy(bytes);
-    const std::string reason = formats.read(format, copy.path(), read);
-    if (!reason.empty()) throw Error(reason);
-    return cad_bytes(read);
-  });
+  std::string model;
+  try {
+    model = run_reader(file, format, bytes);
+  } catch (const CadCrash& crash) {
+    const std::string complaint = complaint_about(file, format, bytes);
+    throw FileError(file, complaint.empty() ? crash.reason() : complaint + " (" + crash.reason() + ")");
+  }
   return cad_model(model);
 }
 

@@ -1,4 +1,5 @@
 // The plugin torse_cad in a process of its own: what OpenCASCADE does to a damaged file is no concern of the program.
+//   CadCrash          what it did not survive
 //   cad_plugin        where the plugin is
 //   run_cad           a task for the plugin in a child with limits of time and memory
 //   read_cad          the model of a STEP or IGES file
@@ -14,12 +15,18 @@
 
 namespace torse::cli {
 
+/// The plugin crashed or ran out of time or memory.
+class CadCrash : public FileError {
+ public:
+  using FileError::FileError;
+};
+
 /// torse_cad.so beside the program or in ../lib/torse from there; none where it is not installed.
 std::optional<std::filesystem::path> cad_plugin();
 
 /// Gives the plugin to `task` in a child process and returns the task's bytes. `file` is the name for errors, `size`
 /// its bytes, which extend the time. Throws FileError where there is no plugin, for an exception of the task (its text
-/// is the reason), and for a child that crashes or exceeds limits.hpp.
+/// is the reason), and CadCrash for a child that crashes or exceeds limits.hpp.
 std::string run_cad(const std::string& file, std::size_t size, const std::function<std::string(CadFormats&)>& task);
 
 /// Reads the bytes of a file. Throws FileError.

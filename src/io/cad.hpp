@@ -124,6 +124,8 @@ class CadFormats {
   virtual std::string version() const = 0;
   /// Reads a file. Returns what is wrong with it, or an empty text.
   virtual std::string read(CadFormat format, const std::string& path, CadModel& model) noexcept = 0;
+  /// The first entity of a file that does not fit its definition, with what is wrong; empty for none.
+  virtual std::string complaint(CadFormat format, const std::string& path) noexcept = 0;
 };
 
 /// The symbol of the plugin, an extern "C" function of this type; the object lives as long as the plugin is loaded.

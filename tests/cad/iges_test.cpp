@@ -37,7 +37,9 @@ std::vector<double> doubles(const std::vector<Rational>& list) {
   for (const Rational& x : list) result.push_back(x.to_double());
   return result;
 }
-std::vector<double> doubles(const Vec<Rational, 3>& x) { return {x[0].to_double(), x[1].to_double(), x[2].to_double()}; }
+std::vector<double> doubles(const Vec<Rational, 3>& x) {
+  return {x[0].to_double(), x[1].to_double(), x[2].to_double()};
+}
 
 TEST_F(Iges, PolesKnotsAndWeightsAreTheDoublesOfTheText) {
   IgesText iges;

@@ -14,6 +14,7 @@ namespace torse::testing {
 namespace {
 
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 const std::string unit_knots = "(2,2),(2,2),(0.,1.),(0.,1.)";
 
@@ -130,6 +131,98 @@ TEST_F(Step, ElementarySurfacesAreExactlyWhatTheyAre) {
   EXPECT_EQ(report["wall"]["type"], "extrusion");
   EXPECT_EQ(report["ball"]["ruled"], false);
   EXPECT_EQ(report["ball"]["type"], "sphere");
+}
+
+TEST_F(Step, AFaceThatCoversAPartOfItsSurfaceIsThatPart) {
+  // z = x y / 4 on [0, 4] x [0, 4], whose lines x = 1, x = 3, y = 0, y = 2 bound the face.
+  StepText step;
+  const std::string surface = step.spline("", 1, 1, {{"0.,0.,0.", "0.,4.,0."}, {"4.,0.,0.", "4.,4.,4."}}, unit_knots);
+  const auto part =
+      faces(step.file({step.face("part", surface, {"1.,0.,0.", "3.,0.,0.", "3.,2.,1.5", "1.,2.,0.5"})}, true));
+  ASSERT_EQ(part.size(), 1U);
+  EXPECT_EQ(part[0].name, "part");
+  EXPECT_TRUE(part[0].cad->trimmed);
+  ASSERT_TRUE(part[0].surface);
+  const RuledFile<Rational>& ruled = *part[0].surface;
+  EXPECT_NEAR(ruled.c.points[0][0].to_double(), 1, 1e-6);
+  EXPECT_NEAR(ruled.c.points[1][0].to_double(), 3, 1e-6);
+  EXPECT_NEAR(ruled.d.points[0][1].to_double(), 2, 1e-6);
+  EXPECT_NEAR(ruled.d.points[1][2].to_double(), 1.5, 1e-6);
+  // On the surface exactly, whatever the parameters are.
+  for (const Vec<Rational, 3>& x : ruled.d.points) EXPECT_EQ(x[2], x[0] * x[1] / Rational(4));
+}
+
+TEST_F(Step, AFaceThatCoversItsSurfaceIsTheWholeOfIt) {
+  StepText step;
+  const std::string surface = step.spline("", 1, 1, {{"0.,0.,0.", "0.,4.,0."}, {"4.,0.,0.", "4.,4.,4."}}, unit_knots);
+  const auto whole = faces(step.file({step.face("", surface, {"0.,0.,0.", "4.,0.,0.", "4.,4.,4.", "0.,4.,0."})}, true));
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_EQ(whole[0].name, "face 1");
+  EXPECT_FALSE(whole[0].cad->trimmed);
+  EXPECT_EQ(whole[0].surface->d.points[1][2], q("4"));
+  EXPECT_EQ(whole[0].surface->c.points[0][0], q("0"));
+}
+
+TEST_F(Step, AFaceOfAnAssemblyCountsAtEachPlace) {
+  StepText step;
+  const std::string surface = step.spline("", 1, 1, {{"0.,0.,0.", "0.,4.,0."}, {"4.,0.,0.", "4.,4.,4."}}, unit_knots);
+  const std::string face = step.face("hyp", surface, {"0.,0.,0.", "4.,0.,0.", "4.,4.,4.", "0.,4.,0."});
+  const std::string here = step.frame("10.,0.,0.", "0.,0.,1.", "1.,0.,0.");
+  const std::string there = step.frame("0.,20.,0.", "1.,0.,0.", "0.,1.,0.");
+  const auto read = faces(step.assembly({face}, {here, there}));
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].number, 1U);
+  EXPECT_EQ(read[1].number, 2U);
+  const auto corner = [&](std::size_t i) {  // of the surface point (4, 4, 4)
+    const Vec<Rational, 3>& x = read[i].surface->d.points[1];
+    return std::vector<double>{x[0].to_double(), x[1].to_double(), x[2].to_double()};
+  };
+  EXPECT_EQ(corner(0), (std::vector<double>{14, 4, 4}));
+  EXPECT_EQ(corner(1), (std::vector<double>{4, 24, 4}));  // x goes to y, y to z, z to x
+}
+
+TEST_F(Step, UnitsAreTheFilesOwn) {
+  for (const auto& [unit, metres] : {std::make_pair("mm", 0.001), {"m", 1.0}, {"inch", 0.0254}}) {
+    StepText step(unit);
+    const std::string surface =
+        step.spline("", 1, 1, {{"0.1,0.,0.", "0.,1.,0."}, {"1.,0.,0.", "1.,1.,0."}}, unit_knots);
+    const auto read = faces(step.file({surface}, false));
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_EQ(read[0].cad->unit, unit);
+    EXPECT_EQ(read[0].cad->metres, metres);
+    EXPECT_EQ(read[0].cad->tolerance, 1e-6);
+    EXPECT_EQ(read[0].surface->c.points[0][0], Rational::from_double(0.1));
+  }
+}
+
+TEST_F(Step, ElementaryFacesAreInTheFilesUnitToo) {
+  for (const char* unit : {"mm", "m", "inch"}) {
+    StepText step(unit);
+    const std::string plane = step.add("PLANE(''," + step.frame("1.,2.,3.", "0.,0.,1.", "1.,0.,0.") + ")");
+    const auto read =
+        faces(step.file({step.face("", plane, {"1.,2.,3.", "1.5,2.,3.", "1.5,4.,3.", "1.,4.,3."})}, true));
+    ASSERT_EQ(read.size(), 1U);
+    const RuledFile<Rational>& ruled = *read[0].surface;
+    EXPECT_EQ(ruled.c.points[0][2], q("3"));
+    EXPECT_NEAR(ruled.c.points[1][0].to_double(), 1.5, 1e-9);
+    EXPECT_NEAR(ruled.d.points[1][1].to_double(), 4, 1e-9);
+  }
+}
+
+TEST_F(Step, FacesAreChosenByNameAndNumber) {
+  StepText step;
+  const std::string flat = step.spline("flat", 1, 1, {{"0.,0.,0.", "0.,1.,0."}, {"1.,0.,0.", "1.,1.,0."}}, unit_knots);
+  const std::string twisted =
+      step.spline("twisted", 1, 1, {{"0.,0.,0.", "0.,1.,0."}, {"1.,0.,0.", "1.,1.,1."}}, unit_knots);
+  const std::string path = file(step.file({flat, twisted}, false));
+  EXPECT_EQ(run_program({"check", path}).exit, 1);
+  EXPECT_EQ(run_program({"check", "--face", "flat", path}).exit, 0);
+  EXPECT_EQ(run_program({"check", "--face", "2", path}).exit, 1);
+  EXPECT_EQ(run_program({"check", "--face", "twisted", "--max-warp", "46deg", path}).exit, 0);  // atan(1) at a corner
+  EXPECT_EQ(run_program({"recover", "--face", "1", path}).exit, 0);
+  const ProgramResult none = run_program({"check", "--face", "third", path});
+  EXPECT_EQ(none.exit, 2);
+  EXPECT_THAT(none.err, HasSubstr("twisted"));
 }
 
 }  // namespace

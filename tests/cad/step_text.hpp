@@ -10,9 +10,15 @@ namespace torse::testing {
 /// Entities #1, #2, ... of one file. The unit is that of the only context.
 class StepText {
  public:
-  /// `length_unit` is what stands behind LENGTH_UNIT() NAMED_UNIT in the file: by default millimetres.
-  explicit StepText(const std::string& length_unit = "NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)") {
-    const std::string length = add("(LENGTH_UNIT() " + length_unit + ")");
+  /// `unit` is "mm", "m" or "inch".
+  explicit StepText(const std::string& unit = "mm") {
+    const std::string metric = unit == "m" ? "SI_UNIT($,.METRE.)" : "SI_UNIT(.MILLI.,.METRE.)";
+    std::string length = add("(LENGTH_UNIT() NAMED_UNIT(*) " + metric + ")");
+    if (unit == "inch") {
+      const std::string measure = add("LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4)," + length + ")");
+      const std::string dimension = add("DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)");
+      length = add("(CONVERSION_BASED_UNIT('INCH'," + measure + ") LENGTH_UNIT() NAMED_UNIT(" + dimension + "))");
+    }
     const std::string angle = add("(NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.))");
     const std::string solid = add("(NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT())");
     const std::string tolerance =
@@ -83,6 +89,32 @@ class StepText {
                                          : "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION('',(") +
                                   model + ")," + context_ + ")");
     product(shape);
+    return whole();
+  }
+
+  /// The same faces at these places of an assembly.
+  std::string assembly(const std::vector<std::string>& faces, const std::vector<std::string>& places) {
+    std::string list;
+    for (const std::string& face : faces) list += (list.empty() ? "" : ",") + face;
+    const std::string own = frame("0.,0.,0.", "0.,0.,1.", "1.,0.,0.");
+    const std::string shell = add("SHELL_BASED_SURFACE_MODEL('',(" + add("OPEN_SHELL('',(" + list + "))") + "))");
+    const std::string part =
+        add("MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(" + own + "," + shell + ")," + context_ + ")");
+    std::string frames = own;
+    for (const std::string& place : places) frames += "," + place;
+    const std::string whole_shape = add("SHAPE_REPRESENTATION('',(" + frames + ")," + context_ + ")");
+    const std::string child = product(part);
+    const std::string parent = product(whole_shape);
+    for (const std::string& place : places) {
+      const std::string map = add("ITEM_DEFINED_TRANSFORMATION('',''," + own + "," + place + ")");
+      const std::string relation =
+          add("(REPRESENTATION_RELATIONSHIP('',''," + part + "," + whole_shape +
+              ") REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(" + map + ") SHAPE_REPRESENTATION_RELATIONSHIP())");
+      const std::string use =
+          add("NEXT_ASSEMBLY_USAGE_OCCURRENCE('" + place + "','',''," + parent + "," + child + ",$)");
+      add("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(" + relation + "," +
+          add("PRODUCT_DEFINITION_SHAPE('',''," + use + ")") + ")");
+    }
     return whole();
   }
 

@@ -1,0 +1,120 @@
+// Files that are no use: one error with the file's name, exit code 2.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "cad/iges_text.hpp"
+#include "cad/step_text.hpp"
+#include "support/program.hpp"
+
+namespace torse::testing {
+namespace {
+
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+
+class HostileCad : public ::testing::Test {
+ public:
+  ProgramResult check(const std::string& name, const std::string& text) const {
+    spill(scratch / name, text);
+    return run_program({"check", (scratch / name).string()});
+  }
+  void refused(const std::string& name, const std::string& text, const std::string& reason) const {
+    const ProgramResult result = check(name, text);
+    EXPECT_EQ(result.exit, 2) << text.substr(0, 200);
+    EXPECT_THAT(result.err, HasSubstr(name + ": "));
+    EXPECT_THAT(result.err, HasSubstr(reason));
+    EXPECT_EQ(result.out, "");
+  }
+  Scratch scratch;
+};
+
+std::string patch(const std::string& corner) {
+  StepText step;
+  return step.file(
+      {step.spline("p", 1, 1, {{"0.,0.,0.", "0.,1.,0."}, {"1.,0.,0.", corner}}, "(2,2),(2,2),(0.,1.),(0.,1.)")}, false);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+TEST_F(HostileCad, NotWhatTheNamePromises) {
+  refused("a.step", "", "begins with ISO-10303-21");
+  refused("a.stp", "solid cube", "begins with ISO-10303-21");
+  refused("a.igs", "hello", "column 73");
+  refused("a.step", "ISO-10303-21;", "STEP");
+  refused("a.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n", "STEP");
+  IgesText iges;
+  iges.line("0.,0.,0.", "1.,0.,0.");
+  refused("a.igs", iges.file(), "found none");
+  std::string compressed = iges.file();
+  compressed[72] = 'C';
+  refused("a.igs", compressed, "compressed");
+}
+
+TEST_F(HostileCad, NumbersThatAreNone) {
+  EXPECT_EQ(check("a.step", patch("1.,1.,0.")).exit, 0);
+  refused("a.step", patch("1.,1.,1.E999"), "NaN or infinite");
+  for (const char* corner : {"1.,1.,NaN", "1.,1.,'x'", "1.,1.,$", "1.,1.,#1"}) refused("a.step", patch(corner), "#");
+  refused("a.step", patch("1.,1."), "three coordinates");
+}
+
+TEST_F(HostileCad, ListsThatDoNotFit) {
+  const std::string good = patch("1.,1.,0.");
+  refused("a.step", replaced(good, "(2,2),(2,2),", "(2,2),(2,2000000000),"), "multiplicities");
+  refused("a.step", replaced(good, "(2,2),(2,2),", "(2,2),(2,3),"), "knots");
+  refused("a.step", replaced(good, "(0.,1.),(0.,1.)", "(0.,1.),(1.,0.)"), "knots");
+  refused("a.step", replaced(good, "(0.,1.),(0.,1.)", "(0.,1.),(1.,1.)"), "knots");
+  refused("a.step", replaced(good, "SPLINE_SURFACE_WITH_KNOTS('p',1,1", "SPLINE_SURFACE_WITH_KNOTS('p',1,-1"),
+          "degree");
+  EXPECT_EQ(
+      check("a.step", replaced(good, "SPLINE_SURFACE_WITH_KNOTS('p',1,1", "SPLINE_SURFACE_WITH_KNOTS('p',1,2")).exit,
+      2);
+}
+
+TEST_F(HostileCad, ReferencesThatLeadNowhereOrInCircles) {
+  StepText step;
+  const std::string frame = step.frame("0.,0.,0.", "0.,0.,1.", "1.,0.,0.");
+  const std::string plane = step.add("PLANE(''," + frame + ")");
+  const std::string trimmed = step.add("RECTANGULAR_TRIMMED_SURFACE(''," + plane + ",0.,1.,0.,1.,.T.,.T.)");
+  const std::string good = step.file({trimmed}, false);
+  EXPECT_EQ(check("a.step", good).exit, 0);
+  refused("a.step", replaced(good, "SURFACE(''," + plane + ",", "SURFACE(''," + trimmed + ","), "");
+  refused("a.step", replaced(good, "SURFACE(''," + plane + ",", "SURFACE('',#99999,"), "");
+  refused("a.step", replaced(good, "PLANE(''," + frame, "PLANE(''," + plane), "");
+}
+
+TEST_F(HostileCad, CutAnywhereItIsReadOrRefused) {
+  IgesText iges;
+  iges.ruled(iges.line("0.,0.,0.", "1.,0.,0."), iges.line("0.,1.,0.", "1.,1.,0."), 0, 1, {.form = 1});
+  const std::string files[] = {patch("1.,1.,0."), iges.file()};
+  std::mt19937 random(1);
+  for (int i = 0; i < 16; ++i) {
+    std::string text = files[i % 2];
+    const std::string name = i % 2 == 0 ? "a.step" : "a.igs";
+    if (i % 4 < 2) text.resize(random() % text.size());
+    for (int k = 0; i % 4 >= 2 && k < 5; ++k) text[random() % text.size()] = static_cast<char>(random() % 256);
+    const ProgramResult result = check(name, text);
+    EXPECT_THAT(result.exit, AnyOf(0, 1, 2, 3)) << i;
+    if (result.exit == 2) {
+      EXPECT_THAT(result.err, HasSubstr("torse: error: ")) << i;
+    }
+  }
+}
+
+TEST_F(HostileCad, WithoutThePluginTheProgramSaysHowToGetIt) {
+  const std::filesystem::path lonely = scratch / "torse";
+  std::filesystem::copy_file(TORSE_PROGRAM_PATH, lonely);
+  spill(scratch / "a.step", patch("1.,1.,0."));
+  const std::string errors = (scratch / "err").string();
+  const std::string line = "'" + lonely.string() + "' check '" + (scratch / "a.step").string() + "' 2>'" + errors + "'";
+  const int status = std::system(line.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_THAT(slurp(errors), HasSubstr("./x cad"));
+}
+
+}  // namespace
+}  // namespace torse::testing
