@@ -29,24 +29,29 @@ struct BilinearSystem {
 };
 
 /// (w u_{i+n} - a) c_i + (a - w u_i) c_{i+1} = (w' u_{i+n} - a') d_i + (a' - w' u_i) d_{i+1} for i = 0..L-1. The
-/// constants are a, w, a', w'; for points a, w, a', since w' = w.
+/// constants are a, w, a', w'; for points a, w, a', since w' = w. From each of the cells `joints`, in increasing order,
+/// on there are new ones.
 template <class S>
-BilinearSystem<S> constant_relation(int degree, const std::vector<S>& u, bool homogeneous) {
+BilinearSystem<S> constant_relation(int degree, const std::vector<S>& u, bool homogeneous,
+                                    const std::vector<int>& joints = {}) {
   const std::size_t n = static_cast<std::size_t>(degree);
   const S one = from_int<S>(1);
   const std::size_t other = homogeneous ? 3 : 1;
-  BilinearSystem<S> system{homogeneous ? std::size_t{4} : std::size_t{3}, {}};
-  for (std::size_t i = 0; i < u.size() - n; ++i) {
+  const std::size_t count = homogeneous ? 4 : 3;
+  BilinearSystem<S> system{count * (joints.size() + 1), {}};
+  for (std::size_t i = 0, segment = 0; i < u.size() - n; ++i) {
+    if (segment < joints.size() && static_cast<int>(i) == joints[segment]) ++segment;
+    const std::size_t at = count * segment;
     const std::size_t c = 2 * i;
     const std::size_t d = c + 1;
-    system.equations.push_back({{c, 0, -one},
-                                {c, 1, u[i + n]},
-                                {d, 2, one},
-                                {d, other, -u[i + n]},
-                                {c + 2, 0, one},
-                                {c + 2, 1, -u[i]},
-                                {d + 2, 2, -one},
-                                {d + 2, other, u[i]}});
+    system.equations.push_back({{c, at, -one},
+                                {c, at + 1, u[i + n]},
+                                {d, at + 2, one},
+                                {d, at + other, -u[i + n]},
+                                {c + 2, at, one},
+                                {c + 2, at + 1, -u[i]},
+                                {d + 2, at + 2, -one},
+                                {d + 2, at + other, u[i]}});
   }
   return system;
 }

@@ -7,14 +7,17 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "torse/exact/repair/descent.hpp"
 #include "torse/exact/repair/frame.hpp"
 
 namespace torse::repair {
 
-/// The constants of FJ07.13 and FJ21.7.1; sigma is 1 for points.
+/// The constants of FJ07.13 and FJ21.7.1 between two knots; sigma is 1 for points.
 struct RelationConstants {
+  Rational from;
+  Rational to;
   Rational lambda;
   Rational m;
   Rational sigma;
@@ -25,7 +28,7 @@ template <int D>
 struct Candidate {
   Real squared;                                         ///< its squared distance
   std::function<std::optional<ExactNet<D>>()> realise;  ///< an exact member of the family at nearly this distance
-  std::optional<RelationConstants> constants{};         ///< of the exact member, if the family has such constants
+  std::vector<RelationConstants> constants{};           ///< of the exact member, if the family has such constants
   bool converged = true;                                ///< false where the search for the constants was not finished
 };
 

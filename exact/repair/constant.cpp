@@ -1,9 +1,8 @@
-// The nearest net of FJ07.13 and FJ21.7.1: constants by descent, simple fractions near them, and an exact edge.
+// The nearest nets of FJ07.13 and FJ21.7.1: constants by descent, and simple fractions near them.
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "torse/exact/repair/banded.hpp"
+#include "torse/exact/repair/constant_net.hpp"
 #include "torse/exact/repair/families.hpp"
 #include "torse/exact/repair/vectors.hpp"
 
@@ -22,7 +21,7 @@ std::optional<Descent<D>> best_descent(const BilinearSystem<Real>& system, const
   constexpr std::size_t most_starts = 2;
   std::optional<Descent<D>> best;
   for (std::size_t i = 0; i < std::min(most_starts, starts.size()); ++i) {
-    auto descent = descend<D>(projector, std::move(starts[i].second), rival);
+    auto descent = descend<D>(projector, std::move(starts[i].second), system.constants, rival);
     if (!descent || (best && !(descent->nearest.squared < best->nearest.squared))) continue;
     rival = std::min(rival, descent->nearest.squared);
     best = std::move(descent);
@@ -46,25 +45,30 @@ struct UnitDomain {
   }
 };
 
-/// L*, M*, sigma as simple fractions near those of the descent, in the parameter of the file.
+/// L*, M*, sigma of a segment as simple fractions near those of the descent, in the parameter of the file.
 template <int D>
 std::optional<RelationConstants> simple_constants(const Descent<D>& descent, const UnitDomain& domain,
-                                                  std::size_t count) {
-  std::vector<Real> theta = descent.theta;
-  const Real w = theta[1];
-  const Real w_other = D == 4 ? theta[3] : w;
+                                                  std::size_t count, std::size_t segment) {
+  const std::size_t first = D * segment;  // a group has D constants
+  const auto theta = [&](std::size_t i) { return descent.theta[first + i]; };
+  const Real w = theta(1);
+  const Real w_other = D == 4 ? theta(3) : w;
   if (w == Real(0) || w_other == Real(0)) return std::nullopt;
   // The squared distance does not depend on a common factor of the constants: with w = 1 its curvature is w^2 that of
   // the descent.
-  const auto curvature = [&](std::size_t i, std::size_t j) { return w * w * descent.nearest.curvature[i][j]; };
-  const Real lambda = theta[0] / w;
-  const Real m = theta[2] / w_other;
+  const auto curvature = [&](std::size_t i, std::size_t j) {
+    return w * w * descent.nearest.curvature[first + i][first + j];
+  };
+  const Real lambda = theta(0) / w;
+  const Real m = theta(2) / w_other;
   const Real sigma = w_other / w;
   const Accuracy accuracy(descent.nearest.squared, count);
-  const std::size_t constants = D - 1;
+  const std::size_t constants = (D - 1) * descent.fixed.size();
   const Real half = Real::from_rational(domain.half);
   const Real centre = Real::from_rational(domain.centre);
   RelationConstants result{
+      {},
+      {},
       simplest_near(centre + half * lambda, half * accuracy.tolerance(curvature(0, 0), constants)),
       simplest_near(centre + half * m, half * accuracy.tolerance(sigma * sigma * curvature(2, 2), constants)),
       Rational(1)};
@@ -75,95 +79,96 @@ std::optional<RelationConstants> simple_constants(const Descent<D>& descent, con
   return result;
 }
 
-/// A row of control points as combinations of neighbours in the edge of regression:
-/// point 2 i is sigma r[u_i, ..., u_{i+n-1}, M*], point 2 i + 1 is r[u_i, ..., u_{i+n-1}, L*].
-struct EdgeRow {
-  std::array<Rational, 2> exact;
-  std::array<Real, 2> real;
-};
+/// What the relation is asked of: the whole spline as one segment, or several.
+template <int D>
+struct Problem {
+  const KnotList<Rational>& u;
+  const RealNet<D>& net;
+  std::vector<Segment> segments;
+  UnitDomain domain;
+  BilinearSystem<Real> system;
 
-std::vector<EdgeRow> edge_rows(const KnotList<Rational>& u, const RelationConstants& constants) {
-  const std::vector<Rational> v = u.cad_list();
-  std::vector<EdgeRow> rows;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(u.last()); ++i) {
-    const Rational& low = v[i];
-    const Rational& high = v[i + static_cast<std::size_t>(u.degree()) + 1];
-    for (const bool first : {true, false}) {
-      const Rational& x = first ? constants.m : constants.lambda;
-      const Rational factor = first ? constants.sigma : Rational(1);
-      EdgeRow row{{factor * (high - x) / (high - low), factor * (x - low) / (high - low)}, {}};
-      for (std::size_t j = 0; j < 2; ++j) row.real[j] = Real::from_rational(row.exact[j]);
-      rows.push_back(std::move(row));
+  Problem(const KnotList<Rational>& knots, const RealNet<D>& points, std::vector<Segment> parts)
+      : u(knots), net(points), segments(std::move(parts)), domain(knots) {
+    std::vector<int> joints;
+    for (std::size_t s = 1; s < segments.size(); ++s) joints.push_back(segments[s].begin);
+    system = constant_relation<Real>(u.degree(), domain.knots(u), D == 4, joints);
+  }
+
+  Projector<D> projector() const {
+    return [this](const std::vector<Real>& theta) { return project<D>(system, net, theta); };
+  }
+
+  /// The constants of each segment by itself.
+  std::optional<std::vector<Real>> start() const {
+    std::vector<Real> theta;
+    for (const Segment& segment : segments) {
+      const RealNet<D> part = part_of(net, segment);
+      const auto alone = constant_relation<Real>(u.degree(), domain.knots(segment.knots), D == 4);
+      const auto descent = best_descent<D>(alone, part, Real(part.size()));
+      if (!descent) return std::nullopt;
+      theta.insert(theta.end(), descent->theta.begin(), descent->theta.end());
     }
+    return theta;
   }
-  return rows;
-}
 
-/// The points r_0, ..., r_{L+1} whose net is nearest: tridiagonal normal equations. Nothing where they are singular.
-template <int D>
-std::optional<std::vector<Vec<Real, D>>> nearest_edge(const std::vector<EdgeRow>& rows, const RealNet<D>& net) {
-  const std::size_t count = rows.size() / 2 + 1;
-  std::vector<Real> diagonal(count);
-  std::vector<std::vector<Real>> below(count, std::vector<Real>(1));
-  below.front().clear();
-  std::vector<Vec<Real, D>> r(count, PointTraits<Vec<Real, D>>::zero());
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const std::size_t i = k / 2;
-    const auto& [a, b] = rows[k].real;
-    diagonal[i] += a * a / net.scale[k];
-    diagonal[i + 1] += b * b / net.scale[k];
-    below[i + 1].front() += a * b / net.scale[k];
-    add_scaled(r[i], a / net.scale[k], net.points[k]);
-    add_scaled(r[i + 1], b / net.scale[k], net.points[k]);
+  std::optional<Candidate<D>> candidate(Descent<D> descent) const {
+    std::vector<RelationConstants> constants;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      auto simple = simple_constants<D>(descent, domain, net.size(), s);
+      if (!simple) return std::nullopt;
+      simple->from = segments[s].knots.domain_begin();
+      simple->to = segments[s].knots.domain_end();
+      constants.push_back(std::move(*simple));
+    }
+    const Real squared = descent.nearest.squared;
+    return Candidate<D>{.squared = squared,
+                        .realise = [*this, constants, squared] { return realise(constants, squared); },
+                        .constants = constants,
+                        .converged = descent.converged};
   }
-  const auto factors = BandedFactors::of(std::move(below), std::move(diagonal));
-  if (!factors) return std::nullopt;
-  factors->forward(r);
-  factors->backward(r);
-  return r;
-}
 
-template <int D>
-std::optional<ExactNet<D>> realise_edge(const KnotList<Rational>& u, const RealNet<D>& net,
-                                        const RelationConstants& constants, const Real& squared) {
-  if (constants.lambda == constants.m) return std::nullopt;  // a cylinder or a cone, without an edge
-  const Accuracy accuracy(squared, net.size());
-  const std::vector<EdgeRow> rows = edge_rows(u, constants);
-  const auto edge = nearest_edge<D>(rows, net);
-  if (!edge) return std::nullopt;
-  Real most(0);  // how much a row enlarges errors, in units of its scale
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Real norm = magnitude(rows[k].real[0]) + magnitude(rows[k].real[1]);
-    most = std::max(most, norm / net.scale[k].square_root());
+  std::optional<ExactNet<D>> realise(const std::vector<RelationConstants>& constants, const Real& squared) const {
+    std::vector<Real> theta;
+    for (const RelationConstants& each : constants) {
+      const auto add = [&](const Rational& x) { theta.push_back(Real::from_rational(x)); };
+      add((each.lambda - domain.centre) / domain.half);
+      add(Rational(1));
+      add(each.sigma * (each.m - domain.centre) / domain.half);
+      if (D == 4) add(each.sigma);
+    }
+    const auto projection = project<D>(system, net, theta);
+    if (!projection) return std::nullopt;
+    RealNet<D> near = net;
+    for (std::size_t i = 0; i < near.size(); ++i) subtract(near.points[i], projection->change[i]);
+    return realise_constant_net<D>(segments, near, constants, Accuracy(squared, net.size()));
   }
-  std::vector<Vec<Rational, D>> r;
-  for (const Vec<Real, D>& x : *edge) r.push_back(rounded_point<D>(x, accuracy.exponent() - exponent_of(most)));
-  ExactNet<D> result;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    result.push_back(combine(rows[k].exact[0], r[k / 2], rows[k].exact[1], r[k / 2 + 1]));
-  }
-  return result;
-}
+};
 
 }  // namespace
 
 template <int D>
 std::optional<Candidate<D>> constant_candidate(const KnotList<Rational>& u, const RealNet<D>& net, const Real& rival) {
-  const UnitDomain domain(u);
-  const auto system = constant_relation<Real>(u.degree(), domain.knots(u), D == 4);
-  const auto descent = best_descent<D>(system, net, rival);
-  if (!descent) return std::nullopt;
-  const auto constants = simple_constants<D>(*descent, domain, net.size());
-  if (!constants) return std::nullopt;
-  const Real squared = descent->nearest.squared;
-  return Candidate<D>{
-      .squared = squared,
-      .realise = [&u, &net, constants, squared] { return realise_edge<D>(u, net, *constants, squared); },
-      .constants = constants,
-      .converged = descent->converged};
+  const Problem<D> problem(u, net, {{0, u.last(), u}});
+  const auto descent = best_descent<D>(problem.system, net, rival);
+  return descent ? problem.candidate(*descent) : std::nullopt;
+}
+
+template <int D>
+std::optional<Candidate<D>> segments_candidate(const KnotList<Rational>& u, const RealNet<D>& net, const Real& rival) {
+  constexpr std::size_t most_segments = 24;
+  std::vector<Segment> segments = segments_of(u);
+  if (segments.size() < 2 || segments.size() > most_segments) return std::nullopt;
+  const Problem<D> problem(u, net, std::move(segments));
+  const auto start = problem.start();
+  if (!start) return std::nullopt;
+  const auto descent = descend<D>(problem.projector(), *start, D, rival);
+  return descent ? problem.candidate(*descent) : std::nullopt;
 }
 
 template std::optional<Candidate<3>> constant_candidate<3>(const KnotList<Rational>&, const RealNet<3>&, const Real&);
 template std::optional<Candidate<4>> constant_candidate<4>(const KnotList<Rational>&, const RealNet<4>&, const Real&);
+template std::optional<Candidate<3>> segments_candidate<3>(const KnotList<Rational>&, const RealNet<3>&, const Real&);
+template std::optional<Candidate<4>> segments_candidate<4>(const KnotList<Rational>&, const RealNet<4>&, const Real&);
 
 }  // namespace torse::repair

@@ -7,20 +7,25 @@
 namespace torse::repair {
 namespace {
 
-/// Divides by the largest constant and returns its index.
-std::size_t normalise(std::vector<Real>& theta) {
-  std::size_t largest = 0;
-  for (std::size_t m = 1; m < theta.size(); ++m) {
-    if (magnitude(theta[m]) > magnitude(theta[largest])) largest = m;
+/// Divides the constants of each group by the largest and returns the indices of these.
+std::vector<std::size_t> normalise(std::vector<Real>& theta, std::size_t group) {
+  std::vector<std::size_t> fixed;
+  for (std::size_t first = 0; first < theta.size(); first += group) {
+    std::size_t largest = first;
+    for (std::size_t m = first; m < first + group; ++m) {
+      if (magnitude(theta[m]) > magnitude(theta[largest])) largest = m;
+    }
+    const Real divisor = theta[largest];
+    for (std::size_t m = first; m < first + group; ++m) theta[m] /= divisor;
+    fixed.push_back(largest);
   }
-  const Real divisor = theta[largest];
-  for (Real& x : theta) x /= divisor;
-  return largest;
+  return fixed;
 }
 
 /// The step of all constants but the fixed one.
 template <int D>
-std::optional<std::vector<Real>> damped_step(const Projection<D>& at, std::size_t fixed, const Real& damping) {
+std::optional<std::vector<Real>> damped_step(const Projection<D>& at, const std::vector<std::size_t>& fixed,
+                                             const Real& damping) {
   Matrix a = at.curvature;
   std::vector<Real> b;
   for (std::size_t m = 0; m < a.size(); ++m) {
@@ -28,9 +33,11 @@ std::optional<std::vector<Real>> damped_step(const Projection<D>& at, std::size_
     a[m][m] *= Real(1) + damping;
     if (a[m][m] == Real(0)) a[m][m] = Real(1);  // without influence
   }
-  for (std::size_t m = 0; m < a.size(); ++m) a[fixed][m] = a[m][fixed] = Real(0);
-  a[fixed][fixed] = Real(1);
-  b[fixed] = Real(0);
+  for (const std::size_t one : fixed) {
+    for (std::size_t m = 0; m < a.size(); ++m) a[one][m] = a[m][one] = Real(0);
+    a[one][one] = Real(1);
+    b[one] = Real(0);
+  }
   return solve_positive(std::move(a), std::move(b));
 }
 
@@ -39,7 +46,8 @@ std::optional<std::vector<Real>> damped_step(const Projection<D>& at, std::size_
 Real negligible_distance() { return Real::from_rational(power_of_two(20 - 2 * Real::precision)); }
 
 template <int D>
-std::optional<Descent<D>> descend(const Projector<D>& projector, std::vector<Real> theta, const Real& rival) {
+std::optional<Descent<D>> descend(const Projector<D>& projector, std::vector<Real> theta, std::size_t group,
+                                  const Real& rival) {
   constexpr int most_steps = 100;
   constexpr int first_steps = 10;
   const Real little = Real::from_rational(power_of_two(-20));
@@ -48,7 +56,7 @@ std::optional<Descent<D>> descend(const Projector<D>& projector, std::vector<Rea
   Real damping = Real::from_rational(power_of_two(-20));
 
   Descent<D> descent;
-  descent.fixed = normalise(theta);
+  descent.fixed = normalise(theta, group);
   auto start = projector(theta);
   if (!start) return std::nullopt;
   descent.theta = std::move(theta);
@@ -65,11 +73,11 @@ std::optional<Descent<D>> descend(const Projector<D>& projector, std::vector<Rea
         moved[m] += (*change)[m];
       }
       if (damping <= Real(1) && expected <= little * descent.nearest.squared) descent.converged = true;
-      const std::size_t fixed = normalise(moved);
+      std::vector<std::size_t> fixed = normalise(moved, group);
       auto trial = projector(moved);
       if (trial && trial->squared < descent.nearest.squared) {
         descent.theta = std::move(moved);
-        descent.fixed = fixed;
+        descent.fixed = std::move(fixed);
         descent.nearest = std::move(*trial);
         damping /= factor;
         continue;
@@ -81,7 +89,7 @@ std::optional<Descent<D>> descend(const Projector<D>& projector, std::vector<Rea
   return descent;
 }
 
-template std::optional<Descent<3>> descend<3>(const Projector<3>&, std::vector<Real>, const Real&);
-template std::optional<Descent<4>> descend<4>(const Projector<4>&, std::vector<Real>, const Real&);
+template std::optional<Descent<3>> descend<3>(const Projector<3>&, std::vector<Real>, std::size_t, const Real&);
+template std::optional<Descent<4>> descend<4>(const Projector<4>&, std::vector<Real>, std::size_t, const Real&);
 
 }  // namespace torse::repair

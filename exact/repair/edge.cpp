@@ -37,7 +37,7 @@ std::optional<ExactNet<D>> realise_map(const EdgeMap& map, const RealNet<D>& net
   std::vector<Real> near;
   for (std::size_t m = 0; m < map.constants; ++m) {
     const Real tolerance = accuracy.tolerance(descent.nearest.curvature[m][m], map.constants - 1);
-    theta.push_back(m == descent.fixed ? Rational(1) : simplest_near(descent.theta[m], tolerance));
+    theta.push_back(m == descent.fixed.front() ? Rational(1) : simplest_near(descent.theta[m], tolerance));
     near.push_back(Real::from_rational(theta.back()));
   }
   const EdgeSolver<D> solver(map, net.scale, near);
@@ -80,8 +80,8 @@ std::optional<Candidate<D>> edge_candidate(const KnotList<Rational>& u, const Re
   const std::vector<int> pieces = u.proper_pieces();
   const auto start = start_on<D>(u, net, family, pieces[pieces.size() / 2]);
   if (!start) return std::nullopt;
-  const auto descent =
-      descend<D>([&](const std::vector<Real>& theta) { return project_edge<D>(*map, net, theta); }, *start, rival);
+  const auto descent = descend<D>([&](const std::vector<Real>& theta) { return project_edge<D>(*map, net, theta); },
+                                  *start, map->constants, rival);
   if (!descent) return std::nullopt;
   return Candidate<D>{.squared = descent->nearest.squared,
                       .realise = [map, &net, descent] { return realise_map<D>(*map, net, *descent); },

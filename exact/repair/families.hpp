@@ -4,6 +4,7 @@
 //   cylinder_candidate    d_i - c_i along one vector (FJ07.4); rows: q_i = alpha p_i + beta_i (0, v)       pencil.cpp
 //   pencil_candidate      rows with q_i = alpha p_i + beta_i V                                             pencil.cpp
 //   constant_candidate    FJ07.13 and FJ21.7.1                                                             constant.cpp
+//   segments_candidate    the same between knots of multiplicity n                                         constant.cpp
 //   edge_candidate        both rows from an edge of regression of lower degree                             edge.cpp
 #pragma once
 
@@ -23,12 +24,14 @@ Candidate<D> cylinder_candidate(const RealNet<D>& net);
 /// Homogeneous rows with any alpha and V.
 Candidate<4> pencil_candidate(const RealNet<4>& net);
 
-/// The nearest of the nets with constant L*, M*, sigma. Its exact net comes from an edge of regression r of degree n +
-/// 1 over the same knots, with one more at either end (FJ21.T6.1): c_i and d_i are r's blossoms at u_i, ..., u_{i+n-1}
-/// and M*, or L*, so that no recursion multiplies denominators. Nothing where the equations stay dependent, or a
-/// constant is at infinity.
+/// The nearest of the nets with constant L*, M*, sigma. Nothing where the equations stay dependent, or a constant is at
+/// infinity.
 template <int D>
 std::optional<Candidate<D>> constant_candidate(const KnotList<Rational>& u, const RealNet<D>& net, const Real& rival);
+
+/// The same with constants of their own for each part between knots of multiplicity n, where there are 2 to 24.
+template <int D>
+std::optional<Candidate<D>> segments_candidate(const KnotList<Rational>& u, const RealNet<D>& net, const Real& rival);
 
 /// The nearest surface between two curves on the tangents of an edge r, a spline of degree rho = n + 1 - j for 1 <= j <
 /// n: with S + T = 1 over the domain,

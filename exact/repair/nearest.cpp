@@ -30,7 +30,7 @@ bool developable(const KnotList<Rational>& u, const RuledRows& rows) {
 struct Option {
   FamilyDistance summary;
   Real squared;
-  std::optional<repair::RelationConstants> constants;
+  std::vector<repair::RelationConstants> constants;
   std::function<std::optional<RuledRows>()> realise;
 };
 
@@ -65,6 +65,12 @@ struct Search {
   template <int D>
   void add_relations(const RealNet<D>& net) {
     if (const auto candidate = repair::constant_candidate<D>(knots, net, least())) add(NetFamily::constant, *candidate);
+    add_edges<D>(net);
+    if (const auto candidate = repair::segments_candidate<D>(knots, net, least())) add(NetFamily::segments, *candidate);
+  }
+
+  template <int D>
+  void add_edges(const RealNet<D>& net) {
     // The equations of an edge grow with 2^n and have no recursion: large nets do without.
     constexpr int most_degree = 8;
     constexpr int most_points = 500;

@@ -15,11 +15,13 @@
 namespace torse {
 
 /// Families of developable nets, simple ones first.
-enum class NetFamily { unchanged, plane, cylinder, cone, constant, edge };
+enum class NetFamily { unchanged, plane, cylinder, cone, constant, edge, segments };
 
-/// The word for a family in reports; `constant` is FJ07.13 and FJ21.7.1, `edge` one piece by its edge of regression.
+/// The word for a family in reports; `constant` is FJ07.13 and FJ21.7.1, `segments` the same between knots of
+/// multiplicity n, `edge` a surface by its edge of regression.
 constexpr std::string_view name_of(NetFamily f) {
-  constexpr std::array<std::string_view, 6> names{"unchanged", "plane", "cylinder", "cone", "constant", "edge"};
+  constexpr std::array<std::string_view, 7> names{"unchanged", "plane", "cylinder", "cone",
+                                                  "constant",  "edge",  "segments"};
   return names[static_cast<std::size_t>(f)];
 }
 
@@ -34,8 +36,8 @@ struct FamilyDistance {
 /// An exactly developable net near a given one.
 struct NearestNet {
   NetFamily family = NetFamily::unchanged;
-  int degree = 0;                                        ///< of the edge of regression, for NetFamily::edge
-  std::optional<repair::RelationConstants> constants{};  ///< for NetFamily::constant
+  int degree = 0;                                      ///< of the edge of regression, for NetFamily::edge
+  std::vector<repair::RelationConstants> constants{};  ///< for NetFamily::constant (one) and segments
   repair::RuledRows rows;
   NetDistance distance{};
   std::vector<FamilyDistance> families{};  ///< all that were found, the chosen one among them

@@ -35,6 +35,18 @@ Json families_json(const std::vector<FamilyDistance>& families) {
   return list;
 }
 
+Json segments_json(const std::vector<repair::RelationConstants>& segments) {
+  Json list = Json::array();
+  for (const repair::RelationConstants& each : segments) {
+    list.push_back({{"from", each.from.text()},
+                    {"to", each.to.text()},
+                    {"Lambda", each.lambda.text()},
+                    {"M", each.m.text()},
+                    {"sigma", each.sigma.text()}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::optional<RepairedSurface> repair_surface(const RuledFile<Rational>& surface, const std::string& file) {
@@ -51,9 +63,11 @@ Json repair_json(const RepairedSurface& repaired) {
   if (classification.vertex) json["vertex"] = point_json(*classification.vertex);
   if (classification.direction) json["direction"] = point_json(*classification.direction);
   json.update(family_json(net.family, net.degree));
-  json["Lambda"] = net.constants ? Json(net.constants->lambda.text()) : Json();
-  json["M"] = net.constants ? Json(net.constants->m.text()) : Json();
-  json["sigma"] = net.constants ? Json(net.constants->sigma.text()) : Json();
+  const bool single = net.constants.size() == 1;
+  json["Lambda"] = single ? Json(net.constants.front().lambda.text()) : Json();
+  json["M"] = single ? Json(net.constants.front().m.text()) : Json();
+  json["sigma"] = single ? Json(net.constants.front().sigma.text()) : Json();
+  if (net.family == NetFamily::segments) json["segments"] = segments_json(net.constants);
   json["max_distance"] = net.distance.largest;
   json["rms_distance"] = net.distance.root_mean_square;
   json["relative"] = net.distance.relative;
@@ -69,9 +83,10 @@ std::string repair_text(const RepairedSurface& repaired) {
   const NearestNet& net = repaired.net;
   std::string text = describe(repaired.classification);
   if (net.family == NetFamily::unchanged) return text + "; unchanged";
-  if (net.constants) {
-    text += fmt::format(", Lambda {}, M {}", short_number(net.constants->lambda), short_number(net.constants->m));
-    if (net.constants->sigma != Rational(1)) text += ", sigma " + short_number(net.constants->sigma);
+  if (net.constants.size() == 1) {
+    const repair::RelationConstants& only = net.constants.front();
+    text += fmt::format(", Lambda {}, M {}", short_number(only.lambda), short_number(only.m));
+    if (only.sigma != Rational(1)) text += ", sigma " + short_number(only.sigma);
   }
   return text + fmt::format("; control points move by at most {:.3g}, {:.3g} of the surface's size{}",
                             net.distance.largest, net.distance.relative,

@@ -190,8 +190,8 @@ TEST(RepairParts, TheRelationIsThatOfTheLinearConstruction) {
   EXPECT_LE(project<3>(system, net, {Real(3), Real(1), Real(-2)})->squared, negligible_distance());
   EXPECT_GT(project<3>(system, net, {Real(3), Real(1), Real(-3)})->squared, Real(1) / Real(100));
   // From constants that are far off, the descent comes back.
-  const auto descent =
-      descend<3>([&](const auto& theta) { return project<3>(system, net, theta); }, {Real(5), Real(1), Real(-4)}, Real(1000));
+  const auto descent = descend<3>([&](const auto& theta) { return project<3>(system, net, theta); },
+                                  {Real(5), Real(1), Real(-4)}, 3, Real(1000));
   ASSERT_TRUE(descent && descent->converged);
   EXPECT_LE(descent->nearest.squared, Real::from_rational(power_of_two(-60)));
   EXPECT_NEAR(number(descent->theta[0] / descent->theta[1]), 3, 1e-8);
