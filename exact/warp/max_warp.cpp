@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "torse/developable/warp.hpp"
+#include "torse/exact/decide/evaluation.hpp"
 #include "torse/exact/warp/common_factor.hpp"
 #include "torse/exact/warp/piece_bounds.hpp"
 #include "torse/exact/warp/rounded_net.hpp"
@@ -236,9 +237,13 @@ class WarpRun {
     return high;
   }
 
-  std::vector<int> ball_stage(const std::vector<int>& pieces) {
+  std::vector<int> ball_stage(std::vector<int> pieces) {
     stage_ = WarpStage::balls;
     surface_ = converted<Rational, S, D>(u_, c_, d_, exact);
+    const std::vector<Integer> knots = integer_knots(surface_->knots.list());
+    std::erase_if(pieces, [&](int k) {  // developable: 0
+      return PieceEvaluator<D>(u_.degree(), knots, surface_->c, surface_->d, k).vanishes();
+    });
     if (static_cast<long>(pieces.size()) > budget(ball_cost)) return pieces;
     const Surface<WarpBall, D> surface = converted<WarpBall, Rational, D>(
         surface_->knots, surface_->c, surface_->d, [](const Rational& x) { return WarpBall::rational(x.text()); });
@@ -250,12 +255,10 @@ class WarpRun {
   std::vector<int> exact_stage(const std::vector<int>& pieces) {
     stage_ = WarpStage::exact;
     if (static_cast<long>(pieces.size()) > budget(exact_cost())) return pieces;
-    std::vector<int> curved;
     std::vector<SineForms<Rational>> forms;
     for (const int k : pieces) {
       const RulingForms<Rational> fractions = ruling_forms<Rational>(surface_->knots, surface_->c, surface_->d, k);
       const RulingForms<Rational> ruling{cleared(fractions.a), cleared(fractions.w), cleared(fractions.b)};
-      if (definitely(form_dot(form_cross(ruling.a, ruling.b), ruling.w).zero())) continue;
       const auto [first, second] = normal_forms(ruling);
       const VectorWithZeros m = without_common_zeros(first);
       const VectorWithZeros n = without_common_zeros(second);
@@ -263,9 +266,8 @@ class WarpRun {
         for (const RealRoot& t : *zeros) exclusions_.push_back({k, parameter(k, t.lower), parameter(k, t.upper)});
       }
       forms.push_back(sine_forms(cleared(m.direction), cleared(n.direction)));
-      curved.push_back(k);
     }
-    return settle_exactly(curved, forms);
+    return settle_exactly(pieces, forms);
   }
 
   std::vector<int> settle_exactly(const std::vector<int>& pieces, const std::vector<SineForms<Rational>>& forms) {

@@ -126,7 +126,7 @@ TEST(Warp, BoundsEverySample) {
         SCOPED_TRACE(testing::Message() << n << ", " << spread << ", " << seed);
         const Net net = random_net(n, 3, spread, seed);
         const WarpEnclosure warp = warp_of(net);
-        const double sample = sampled(net, 200);
+        const double sample = sampled(net, 60);
         expect_narrow(warp);
         EXPECT_LE(sample, warp.upper * (1 + 1e-15));
         EXPECT_GE(sample, warp.lower * 0.95);
@@ -380,6 +380,50 @@ TEST(Warp, DevelopablePiecesCountAsZero) {
   const Net flat{u, net.c, net.c};
   EXPECT_EQ(warp_of(flat).upper, 0);
   EXPECT_EQ(warp_of(flat).piece, 0);
+}
+
+/// More pieces without a normal than the budgets of balls and rationals cover: they are developable, and that is exact.
+TEST(Warp, ManyCollapsedPiecesDoNotUseUpTheBudget) {
+  constexpr int pieces = 4000;
+  std::vector<Q> knots;
+  Net net{bezier_knots<Q>(1), {}, {}};
+  for (int i = 0; i <= pieces; ++i) {
+    knots.emplace_back(i);
+    net.c.push_back(Point3(Q(i == pieces ? 1 : 0), Q(0), Q(0)));
+    net.d.push_back(Point3(Q(i == pieces ? 1 : 0), Q(1), Q(i % 2)));
+  }
+  net.d[pieces - 1][2] = Q(0);
+  net.d[pieces][2] = Q(1);
+  net.u = KnotList<Q>(1, knots);
+  const WarpEnclosure warp = warp_of(net);
+  expect_narrow(warp);
+  expect_contains(warp, 45);
+  EXPECT_EQ(warp.piece, pieces);
+}
+
+/// Vanishing rulings in more pieces than the budgets of balls and rationals cover: the bounds hold and say so.
+TEST(Warp, TooManyVanishingRulingsEndTheSearch) {
+  constexpr int pieces = 4000;
+  const Q half = Q(1) / Q(2);
+  std::vector<Q> knots;
+  Net net{bezier_knots<Q>(2), {}, {}};
+  for (int i = 0; i <= pieces; ++i) knots.insert(knots.end(), 2, Q(i));
+  for (int i = 0; i <= 2 * pieces;
+       ++i) {  // d - c = (t - 1/2) (0, 1, t) on even pieces, turned by half a turn on odd ones
+    const Q x = Q(i) / Q(2);
+    net.c.push_back(Point3(x, Q(0), Q(0)));
+    const int corner = i % 4;
+    const Q y = corner == 0 ? -half : corner == 2 ? half : Q(0);
+    const Q z = corner == 1 ? -half * half : corner == 2 ? half : corner == 3 ? half * half : Q(0);
+    net.d.push_back(Point3(x, y, z));
+  }
+  net.u = KnotList<Q>(2, knots);
+  const WarpEnclosure warp = warp_of(net);
+  EXPECT_FALSE(warp.complete);
+  EXPECT_EQ(warp.upper, 90);
+  EXPECT_GT(warp.lower, 1);
+  EXPECT_EQ(at_most(net, Q(89)), Truth::unknown);
+  EXPECT_EQ(at_most(net, Q(1)), Truth::no);
 }
 
 TEST(Warp, RefusesRowsThatDoNotFit) {
