@@ -18,8 +18,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bound = SingularSet::Bound;
 
-/// With so many bits in the net, the singularities take about a quarter of a second.
+/// With so many bits in a cubic net, the singularities take about a quarter of a second; the time grows with the degree
+/// of the polynomials too.
 constexpr std::size_t most_bits = std::size_t{1} << 18;
+constexpr std::size_t usual_degree = 3;
 
 std::size_t bits_of(const WeightedPoints<Rational, 3>& net) {
   std::size_t bits = 0;
@@ -70,7 +72,8 @@ Json witness_json(const DevelopabilityWitness<Rational>& witness, const KnotList
 }
 
 std::optional<std::vector<SingularSet>> quick_singularities(const RuledFile<Rational>& surface) {
-  if (bits_of(surface.c) + bits_of(surface.d) > most_bits) return std::nullopt;
+  const std::size_t degree = std::max(usual_degree, static_cast<std::size_t>(surface.knots.degree()));
+  if ((bits_of(surface.c) + bits_of(surface.d)) * degree > most_bits * usual_degree) return std::nullopt;
   return find_singularities(recover_pieces<Rational>(surface.knots, homogeneous(surface.c), homogeneous(surface.d)));
 }
 

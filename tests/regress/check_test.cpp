@@ -51,6 +51,48 @@ TEST_F(Check, AnUnreadableFileWinsAndTheOthersAreReported) {
   EXPECT_EQ(run_program({"check", file("twisted", twisted), file("flat", flat), "--max-warp", "1/2"}).exit, 1);
 }
 
+/// Numbers that differ by thousands of orders of magnitude: the roots of the singular parameters do, too.
+TEST_F(Check, CoordinatesOfAllSizesTogether) {
+  const std::string cylinder = R"({"torse": 1, "type": "ruled", "degree": 2,
+   "c": {"points": [["8e-1000", "9e1500", 0], ["-5e300", "-5e-1000", 0], ["-1e1500", "-5e0", 0]]},
+   "d": {"points": [["8e-1000", "9e1500", "-5e300"], ["-5e300", "-5e-1000", "2e-300"], ["-1e1500", "-5e0", "-8e-300"]]}})";
+  const ProgramResult result = run_program({"check", file("cylinder", cylinder), "--json", "-"});
+  EXPECT_EQ(result.exit, 0);
+  const json surface = json::parse(result.out)["surfaces"][0];
+  EXPECT_EQ(surface["class"], "cylinder");
+  // z = d - c has the Bezier coefficients -5e300, 2e-300, -8e-300: it vanishes nowhere.
+  EXPECT_EQ(surface["singular"], json::array());
+  const std::string crossing = R"({"torse": 1, "type": "ruled", "degree": 2,
+   "c": {"points": [[0, 0, 0], ["1e-1500", "3e1500", 0], ["1e1500", 1, 0]]},
+   "d": {"points": [[0, 0, "-1e-1500"], ["1e-1500", "3e1500", "1e300"], ["1e1500", 1, "1e1500"]]}})";
+  const json other = json::parse(run_program({"check", file("crossing", crossing), "--json", "-"}).out)["surfaces"][0];
+  EXPECT_EQ(other["class"], "cylinder");
+  ASSERT_EQ(other["singular"].size(), 1U);  // z is increasing from below 0 to above
+  EXPECT_EQ(other["singular"][0]["reason"], "vanishing");
+}
+
+/// A near miss of 1e-300 in one of 40 pieces is seen, and how much it is.
+TEST_F(Check, NearMissesOfAnySize) {
+  json net{{"torse", 1}, {"type", "ruled"}, {"degree", 3}};
+  for (int i = 0; i <= 40; ++i) {
+    for (int times = i == 0 || i == 40 ? 3 : 1; times > 0; --times) net["knots"].push_back(i);
+  }
+  for (int i = 0; i < 43; ++i) {
+    net["c"]["points"].push_back({i, std::to_string(i * i) + "/7", i * 5 % 9});
+    net["d"]["points"].push_back({2 * i, std::to_string(2 * i * i) + "/7", 2 * (i * 5 % 9) + 5});
+  }
+  EXPECT_EQ(run_program({"check", file("cone", net.dump())}).exit, 0);
+  net["d"]["points"][20][0] = "40." + std::string(299, '0') + "1";
+  const ProgramResult result = run_program({"check", file("near", net.dump()), "--max-warp", "1e-200", "--json", "-"});
+  EXPECT_EQ(result.exit, 0);
+  const json surface = json::parse(result.out)["surfaces"][0];
+  EXPECT_EQ(surface["developable"], false);
+  const double lower = surface["max_warp_deg"]["lo"], upper = surface["max_warp_deg"]["hi"];
+  EXPECT_GT(lower, 1e-303);
+  EXPECT_LT(upper, 1e-296);
+  EXPECT_LE(upper - lower, 1e-3 * upper);
+}
+
 TEST_F(Check, TheWitnessIsExact) {
   const json surface = json::parse(run_program({"check", file("twisted", twisted), "--json", "-"}).out)["surfaces"][0];
   EXPECT_EQ(surface["developable"], false);
