@@ -1,4 +1,4 @@
-// The nearest exactly developable net, after docs/decisions/0005-nearest-developable.md.
+// The nearest exactly developable net, after docs/decisions/0007-nearest-developable.md.
 //   NetFamily, name_of        the families that are compared
 //   NearestNet                the net, its constants, its distance, the distances of all families
 //   nearest_developable       least squares over the free parameters of each family
