@@ -23,13 +23,17 @@ using Bound = SingularSet::Bound;
 constexpr std::size_t most_bits = std::size_t{1} << 18;
 constexpr std::size_t usual_degree = 3;
 
-std::size_t bits_of(const WeightedPoints<Rational, 3>& net) {
+/// Of knots, coordinates and weights.
+std::size_t bits_of(const RuledFile<Rational>& surface) {
   std::size_t bits = 0;
   const auto count = [&](const Rational& x) { bits += x.numerator_bits() + x.denominator_bits(); };
-  for (const Vec<Rational, 3>& x : net.points) {
-    for (int j = 0; j < 3; ++j) count(x[j]);
+  std::ranges::for_each(surface.knots.list(), count);
+  for (const WeightedPoints<Rational, 3>* net : {&surface.c, &surface.d}) {
+    for (const Vec<Rational, 3>& x : net->points) {
+      for (int j = 0; j < 3; ++j) count(x[j]);
+    }
+    std::ranges::for_each(net->weights, count);
   }
-  std::ranges::for_each(net.weights, count);
   return bits;
 }
 
@@ -73,7 +77,7 @@ Json witness_json(const DevelopabilityWitness<Rational>& witness, const KnotList
 
 std::optional<std::vector<SingularSet>> quick_singularities(const RuledFile<Rational>& surface) {
   const std::size_t degree = std::max(usual_degree, static_cast<std::size_t>(surface.knots.degree()));
-  if ((bits_of(surface.c) + bits_of(surface.d)) * degree > most_bits * usual_degree) return std::nullopt;
+  if (bits_of(surface) * degree > most_bits * usual_degree) return std::nullopt;
   return find_singularities(recover_pieces<Rational>(surface.knots, homogeneous(surface.c), homogeneous(surface.d)));
 }
 
