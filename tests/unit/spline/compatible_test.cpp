@@ -1,0 +1,88 @@
+// Parts of splines and splines brought together: the same curves, compared at parameters by de Boor's algorithm.
+#include "torse/spline/compatible.hpp"
+
+#include <gtest/gtest.h>
+
+#include "torse/exact/rational/rational.hpp"
+
+namespace torse {
+namespace {
+
+using Q = Rational;
+using P = Vec<Q, 2>;
+using Curve = Spline<Q, P>;
+
+Q q(int p, int r = 1) { return Q(p) / Q(r); }
+P p(int x, int y) { return P(Q(x), Q(y)); }
+
+/// Degree 3, unclamped, an inner double knot.
+Curve cubic() {
+  return Curve(KnotList<Q>(3, {q(-2), q(-1), q(0), q(1), q(1), q(5, 2), q(3), q(4), q(6)}),
+               {p(0, 0), p(1, 5), p(2, -3), p(4, 4), p(5, 0), p(7, 7), p(9, 1)});
+}
+/// Degree 2 over [0, 1].
+Curve parabola() {
+  return Curve(KnotList<Q>(2, {q(0), q(0), q(1, 3), q(1), q(1)}), {p(0, 0), p(3, 2), p(1, 1), p(-4, 5)});
+}
+
+P value(const Curve& curve, const Q& t) {
+  for (int k : curve.knots.proper_pieces()) {
+    if (!(curve.knots.piece_end(k) < t)) return curve_point<Q, P>(curve.knots, curve.points(), k, t);
+  }
+  throw InvalidInput("t", "is outside");
+}
+
+void expect_same(const P& x, const P& y) {
+  EXPECT_EQ(x[0], y[0]);
+  EXPECT_EQ(x[1], y[1]);
+}
+
+TEST(Compatible, APartHasItsEndsAndIsTheSameCurve) {
+  const Curve curve = cubic();
+  for (const auto& [a, b] : {std::pair(q(0), q(3)), {q(1, 2), q(2)}, {q(1), q(5, 2)}, {q(9, 10), q(11, 10)}}) {
+    const Curve part = restrict_spline(curve, a, b);
+    EXPECT_EQ(part.knots.domain_begin(), a);
+    EXPECT_EQ(part.knots.domain_end(), b);
+    EXPECT_TRUE(definitely(part.knots.clamped()));
+    expect_same(part.control.front(), value(curve, a));
+    for (int i = 0; i <= 10; ++i) {
+      const Q t = a + (b - a) * q(i, 10);
+      expect_same(value(part, t), value(curve, t));
+    }
+  }
+  EXPECT_THROW(restrict_spline(curve, q(-1), q(1)), InvalidInput);
+}
+
+TEST(Compatible, ReversedAndReparametrized) {
+  const Curve curve = cubic();
+  const Curve back = reversed_spline(curve);
+  const Curve moved = reparametrized(curve, q(10), q(16));  // [0, 3] goes to [10, 16]
+  for (int i = 0; i <= 12; ++i) {
+    expect_same(value(back, q(3) - q(i, 4)), value(curve, q(i, 4)));
+    expect_same(value(moved, q(10) + q(i, 2)), value(curve, q(i, 4)));
+  }
+}
+
+TEST(Compatible, TwoCurvesGetOneKnotListAndStayThemselves) {
+  const auto [c, d] = make_compatible(cubic(), parabola());
+  EXPECT_EQ(c.knots.degree(), 3);
+  EXPECT_EQ(c.knots.list(), d.knots.list());
+  for (int i = 0; i <= 20; ++i) {
+    expect_same(value(c, q(3 * i, 20)), value(cubic(), q(3 * i, 20)));
+    expect_same(value(d, q(3 * i, 20)), value(parabola(), q(i, 20)));
+  }
+  const auto [e, f] = make_compatible(parabola(), cubic());
+  EXPECT_EQ(e.knots.list(), f.knots.list());
+  EXPECT_EQ(e.knots.degree(), 3);
+  expect_same(value(e, q(1, 7)), value(parabola(), q(1, 7)));
+  expect_same(value(f, q(1, 7)), value(cubic(), q(3, 7)));
+}
+
+TEST(Compatible, CurvesThatShareTheirKnotsAreLeftAsTheyAre) {
+  const auto [c, d] = make_compatible(cubic(), cubic());
+  EXPECT_EQ(c.knots.list(), cubic().knots.list());
+  EXPECT_EQ(d.control.size(), cubic().control.size());
+}
+
+}  // namespace
+}  // namespace torse
