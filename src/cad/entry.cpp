@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "torse/cad/read.hpp"
+#include "torse/cad/write.hpp"
 
 namespace torse::cad {
 namespace {
@@ -36,6 +37,17 @@ class Formats final : public CadFormats {
       return {};
     } catch (const std::exception&) {
       return {};
+    }
+  }
+
+  std::string write(CadFormat format, const CadSheets& sheets, std::string& bytes) noexcept override {
+    try {
+      bytes = format == CadFormat::step ? write_step(sheets) : write_iges(sheets);
+      return {};
+    } catch (const Standard_Failure& failure) {
+      return std::string("cannot be written by OpenCASCADE: ") + failure.GetMessageString();
+    } catch (const std::exception& error) {
+      return error.what();
     }
   }
 };

@@ -164,6 +164,13 @@ class IgesFile {
     return true;
   }
 
+  /// A trimmed surface without curves ends where its surface does.
+  static bool has_boundary(const Entity& entity) {
+    const auto trimmed = as<IGESGeom_TrimmedSurface>(entity);
+    if (!trimmed.IsNull()) return trimmed->HasOuterContour() || trimmed->NbInnerContours() > 0;
+    return !entity->IsKind(STANDARD_TYPE(IGESGeom_RuledSurface));
+  }
+
   /// The face that OpenCASCADE makes of an entity; null where it makes none, or several.
   TopoDS_Face face_of(const Entity& entity) {
     reader_.TransferEntity(entity);
@@ -234,7 +241,7 @@ class IgesFile {
     face.type = "ruled surface";
     face.claimed_developable = ruled.IsDevelopable();
     face.by_arc_length = !ruled.IsRuledByParameter();
-    if (item.bounded()) face.remark = "its boundary is not used: the whole ruled surface";
+    if (has_boundary(item.entity)) face.remark = "its boundary is not used: the whole ruled surface";
     CadRails rails;
     try {
       const IgesCurves curves = make_curves();

@@ -11,6 +11,7 @@
 
 #include "torse/cli/command.hpp"
 #include "torse/cli/mesh.hpp"
+#include "torse/cli/terminal.hpp"
 #include "torse/io/mesh_file.hpp"
 #include "torse/io/text.hpp"
 
@@ -24,11 +25,10 @@ struct Extension {
   OutputFormat format;
 };
 
-constexpr Extension extensions[] = {{".json", OutputFormat::json},
-                                    {".obj", OutputFormat::obj},
-                                    {".stl", OutputFormat::stl},
-                                    {".gltf", OutputFormat::gltf},
-                                    {".glb", OutputFormat::glb}};
+constexpr Extension extensions[] = {
+    {".json", OutputFormat::json}, {".step", OutputFormat::step}, {".stp", OutputFormat::step},
+    {".iges", OutputFormat::iges}, {".igs", OutputFormat::iges},  {".obj", OutputFormat::obj},
+    {".stl", OutputFormat::stl},   {".gltf", OutputFormat::gltf}, {".glb", OutputFormat::glb}};
 
 /// The largest double that is not above x > 0.
 double rounded_down(const Rational& x) {
@@ -49,13 +49,6 @@ std::string mesh_bytes(const std::vector<NamedMesh>& meshes, OutputFormat format
   }
 }
 
-/// Three digits that are not below the bound.
-std::string rounded_up(double bound) {
-  std::string text = fmt::format("{:.3g}", bound);
-  constexpr double half_unit = 1.005;
-  return std::stod(text) < bound ? fmt::format("{:.3g}", bound * half_unit) : text;
-}
-
 }  // namespace
 
 OutputFormat format_of(const std::string& file) {
@@ -69,7 +62,9 @@ OutputFormat format_of(const std::string& file) {
   throw UsageError(fmt::format("--output: expected an extension among {}, found {}", known, in_quotes(file)));
 }
 
-bool is_mesh(OutputFormat format) { return format != OutputFormat::json; }
+bool is_mesh(OutputFormat format) { return format != OutputFormat::json && !is_cad(format); }
+
+bool is_cad(OutputFormat format) { return format == OutputFormat::step || format == OutputFormat::iges; }
 
 RuledFile<Rational> scaled_surface(RuledFile<Rational> surface, const Rational& factor) {
   for (WeightedPoints<Rational, 3>* row : {&surface.c, &surface.d}) {
@@ -90,8 +85,8 @@ Conversion convert_to_mesh(const std::vector<Face>& faces, OutputFormat format,
       const double limit = tolerance ? rounded_down(*tolerance) : default_tolerance(arcs);
       meshes.push_back({face.name, mesh_surface(arcs, limit, precision)});
       const TriangleMesh& mesh = meshes.back().mesh;
-      conversion.lines.push_back(
-          fmt::format("{} triangles, at most {} from the surface", mesh.triangles.size(), rounded_up(mesh.deviation)));
+      conversion.lines.push_back(fmt::format("{} triangles, at most {} from the surface", mesh.triangles.size(),
+                                             rounded_up(mesh.deviation, 3)));
       conversion.faces.push_back(Json{{"mesh",
                                        {{"triangles", mesh.triangles.size()},
                                         {"points", mesh.points.size()},

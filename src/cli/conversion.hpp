@@ -2,7 +2,7 @@
 //   OutputFormat, format_of       by the extension
 //   Conversion                    the bytes, and what there is to say about them
 //   scaled_surface                in another unit
-//   convert_to_mesh               OBJ, STL, glTF
+//   convert_to_mesh               OBJ, STL, glTF          convert_to_cad      STEP, IGES
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,17 +12,21 @@
 
 #include "torse/cli/faces.hpp"
 #include "torse/cli/units.hpp"
+#include "torse/cli/warp.hpp"
 
 namespace torse::cli {
 
 /// The formats of torse convert.
-enum class OutputFormat { json, obj, stl, gltf, glb };
+enum class OutputFormat { json, step, iges, obj, stl, gltf, glb };
 
 /// The format that a file's extension names, in any case. Throws UsageError listing all of them.
 OutputFormat format_of(const std::string& file);
 
 /// Whether it holds triangles.
 bool is_mesh(OutputFormat format);
+
+/// Whether OpenCASCADE writes it.
+bool is_cad(OutputFormat format);
 
 /// The bytes of a file, a line for the terminal and a JSON object for each face, in order.
 struct Conversion {
@@ -38,5 +42,21 @@ RuledFile<Rational> scaled_surface(RuledFile<Rational> surface, const Rational& 
 /// own default. Throws FileError for a face that cannot be meshed.
 Conversion convert_to_mesh(const std::vector<Face>& faces, OutputFormat format,
                            const std::optional<Rational>& tolerance);
+
+/// What STEP and IGES files have beside surfaces.
+struct CadWishes {
+  OutputFormat format;
+  /// Of the faces' numbers, and of the file.
+  LengthUnit unit;
+  /// In that unit.
+  double tolerance = 0;
+  /// Sets the developable flag of a surface that is not exactly developable as written, but whose warp is at most this.
+  std::optional<Angle> max_warp{};
+  /// The file's name, for errors.
+  std::string file;
+};
+
+/// Faces that are ruled as a CAD file. Throws FileError.
+Conversion convert_to_cad(const std::vector<Face>& faces, const CadWishes& wishes);
 
 }  // namespace torse::cli

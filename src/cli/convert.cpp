@@ -13,6 +13,7 @@
 #include "torse/cli/faces.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/cli/units.hpp"
+#include "torse/cli/warp.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/number.hpp"
 #include "torse/io/text.hpp"
@@ -28,6 +29,7 @@ struct ConvertOptions {
   std::string face;
   std::string unit;
   std::string tolerance;
+  std::string max_warp;
   std::string json;
 };
 
@@ -36,7 +38,11 @@ struct Wanted {
   OutputFormat format;
   std::optional<LengthUnit> unit;
   std::optional<Rational> tolerance;
+  std::optional<Angle> max_warp;
 };
+
+/// OpenCASCADE's own, for files that state none.
+constexpr double usual_tolerance = 1e-7;
 
 std::optional<Rational> read_tolerance(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -50,10 +56,14 @@ std::optional<Rational> read_tolerance(const std::string& text) {
 }
 
 Wanted wanted_by(const ConvertOptions& options) {
-  Wanted wanted{format_of(options.output), std::nullopt, read_tolerance(options.tolerance)};
+  Wanted wanted{format_of(options.output), std::nullopt, read_tolerance(options.tolerance), std::nullopt};
   if (!options.unit.empty()) wanted.unit = read_unit(options.unit);
   if (wanted.tolerance && !is_mesh(wanted.format))
     throw UsageError("--tolerance is for meshes: .obj, .stl, .gltf, .glb");
+  if (!options.max_warp.empty()) wanted.max_warp = read_angle(options.max_warp);
+  if (wanted.max_warp && wanted.format != OutputFormat::iges) {
+    throw UsageError("--max-warp is for the developable flag of IGES: .iges, .igs");
+  }
   if (wanted.unit && wanted.format == OutputFormat::json) throw UsageError("--unit: torse's JSON has no unit");
   return wanted;
 }
@@ -65,6 +75,7 @@ std::vector<std::string> replay_words(const ConvertOptions& options) {
   };
   add("--unit", options.unit);
   add("--tolerance", options.tolerance);
+  add("--max-warp", options.max_warp);
   add("-o", options.output);
   std::ranges::move(words_of(options.input, options.face), std::back_inserter(words));
   return words;
@@ -89,14 +100,33 @@ Conversion convert_to_json(const std::vector<Face>& faces) {
   return {write_ruled(*faces.front().surface), {"exact"}, {Json::object()}};
 }
 
-/// glTF is in metres; elsewhere the numbers keep their unit unless another is asked for.
-Conversion convert_faces(std::vector<Face> faces, const Wanted& wanted) {
+/// The unit of the faces' numbers, which all have the same: that of the CAD file, else the one asked for.
+Rational metres_of(const std::vector<Face>& faces, const Wanted& wanted) {
+  const std::optional<CadNote>& cad = faces.front().cad;
+  if (!cad) return wanted.unit.value_or(millimetres()).metres;
+  const std::optional<LengthUnit> known = unit_of_length(cad->metres);
+  return known ? known->metres : Rational::from_double(cad->metres);
+}
+
+/// glTF is in metres; elsewhere the numbers keep their unit unless another is asked for. A unit without a name becomes
+/// millimetres.
+LengthUnit unit_of_output(const std::vector<Face>& faces, const Wanted& wanted) {
+  if (wanted.format == OutputFormat::gltf || wanted.format == OutputFormat::glb) return metres();
+  if (wanted.unit) return *wanted.unit;
+  return faces.front().cad ? unit_of_length(faces.front().cad->metres).value_or(millimetres()) : millimetres();
+}
+
+Conversion convert_faces(std::vector<Face> faces, const Wanted& wanted, const std::string& output) {
   if (wanted.format == OutputFormat::json) return convert_to_json(faces);
-  if (wanted.format == OutputFormat::gltf || wanted.format == OutputFormat::glb) {
-    const Rational factor = wanted.unit.value_or(millimetres()).metres / metres().metres;
+  const LengthUnit unit = unit_of_output(faces, wanted);
+  const Rational factor = metres_of(faces, wanted) / unit.metres;
+  if (factor != Rational(1)) {
     for (Face& face : faces) face.surface = scaled_surface(std::move(*face.surface), factor);
   }
-  return convert_to_mesh(faces, wanted.format, wanted.tolerance);
+  if (is_mesh(wanted.format)) return convert_to_mesh(faces, wanted.format, wanted.tolerance);
+  const double stated = faces.front().cad ? faces.front().cad->tolerance * factor.to_double() : 0;
+  return convert_to_cad(
+      faces, {wanted.format, unit, stated > 0 ? stated : usual_tolerance, wanted.max_warp, printable(output)});
 }
 
 std::string json_report(const ConvertOptions& options, const std::vector<Face>& faces, const Conversion& conversion) {
@@ -129,7 +159,7 @@ void print_faces(const ConvertOptions& options, const std::vector<Face>& faces, 
 
 int convert(const ConvertOptions& options, const Wanted& wanted) {
   const std::vector<Face> faces = read_faces(options.input, options.face);
-  const Conversion conversion = convert_faces(ruled_faces(faces), wanted);
+  const Conversion conversion = convert_faces(ruled_faces(faces), wanted, options.output);
   write_file(options.output, conversion.bytes);
   if (options.json != "-") print_faces(options, faces, conversion);
   if (!options.json.empty()) write_file(options.json, json_report(options, faces, conversion));
@@ -151,7 +181,7 @@ int run_convert(const ConvertOptions& options) {
 std::function<int()> define_convert(CLI::App& app) {
   const auto options = std::make_shared<ConvertOptions>();
   app.add_option("FILE", options->input, "ruled surfaces; - is standard input")->required();
-  app.add_option("-o,--output", options->output, "the file to write: .json, .obj, .stl, .gltf or .glb")
+  app.add_option("-o,--output", options->output, "the file to write: .json, .step, .iges, .obj, .stl, .gltf or .glb")
       ->type_name("OUT")
       ->required();
   app.add_option("--face", options->face, "only the face of this name or number")->type_name("NAME|NUMBER");
@@ -160,6 +190,9 @@ std::function<int()> define_convert(CLI::App& app) {
       ->type_name("UNIT");
   app.add_option("--tolerance", options->tolerance, "the largest distance of a mesh from its surface")
       ->type_name("LENGTH");
+  app.add_option("--max-warp", options->max_warp,
+                 "IGES: flag surfaces as developable whose warp angle is at most ANGLE, not only exact ones")
+      ->type_name("ANGLE");
   app.add_option("--json", options->json, "write what was done as JSON; - is standard output")->type_name("FILE");
   return [options] { return run_convert(*options); };
 }

@@ -26,7 +26,7 @@ constexpr Command commands[] = {
     {"check", "decide exactly whether ruled surfaces are developable, and their class", define_check},
     {"construct", "make a developable surface through a curve", define_construct},
     {"recover", "Lambda, M, sigma, class, edge and singular parameters from the net alone", define_recover},
-    {"convert", "write ruled surfaces as OBJ, STL, glTF or JSON", define_convert},
+    {"convert", "write ruled surfaces as STEP, IGES, OBJ, STL, glTF or JSON", define_convert},
     {"unroll", "a developable surface as a flat plate: SVG, DXF, JSON with certified lengths", define_unroll},
 };
 

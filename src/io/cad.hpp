@@ -1,10 +1,11 @@
-// What a STEP or IGES file holds for torse, and the interface of the plugin that reads them, in doubles and the
-// standard library alone: the plugin (src/cad) is the only part of torse that knows OpenCASCADE.
+// What a STEP or IGES file holds for torse, and the interface of the plugin that reads and writes them, in doubles and
+// the standard library alone: the plugin (src/cad) is the only part of torse that knows OpenCASCADE.
 //   CadRail, CadRails         two curves joined by rulings
 //   CadExtrusion              a curve and a vector
 //   CadRevolution             a straight line that turns about an axis
 //   CadStrip                  one of these, cut to the face's parameters
 //   CadFace, CadModel         the faces of a file
+//   CadSheet, CadSheets       the ruled surfaces for a file
 //   CadFormats                the plugin                     cad_entry      the name of the function that makes it
 #pragma once
 
@@ -113,6 +114,27 @@ struct CadModel {
   std::vector<CadFace> faces{};
 };
 
+/// A ruled surface to write: both rails over the same knots, whose ends are n + 1 times there, with positive weights;
+/// the rulings join equal parameters.
+struct CadSheet {
+  std::string name{};
+  CadRail c{};
+  CadRail d{};
+  /// The developable flag of an IGES ruled surface.
+  bool developable = false;
+};
+
+/// What a file is made of.
+struct CadSheets {
+  /// OpenCASCADE's name of the unit for STEP ("MM", "INCH", ...), the unit flag of IGES, and the unit in metres.
+  std::string step_unit{};
+  int iges_unit = 2;
+  double metres = 0;
+  /// In that unit, positive.
+  double tolerance = 0;
+  std::vector<CadSheet> sheets{};
+};
+
 /// The formats of the plugin.
 enum class CadFormat { step, iges };
 
@@ -126,6 +148,8 @@ class CadFormats {
   virtual std::string read(CadFormat format, const std::string& path, CadModel& model) noexcept = 0;
   /// The first entity of a file that does not fit its definition, with what is wrong; empty for none.
   virtual std::string complaint(CadFormat format, const std::string& path) noexcept = 0;
+  /// The bytes of a file. Every number reads back as the same double. Returns why there is none, or an empty text.
+  virtual std::string write(CadFormat format, const CadSheets& sheets, std::string& bytes) noexcept = 0;
 };
 
 /// The symbol of the plugin, an extern "C" function of this type; the object lives as long as the plugin is loaded.
