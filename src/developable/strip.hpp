@@ -4,7 +4,7 @@
 //   norm_bound           the length of a vector
 //   rail_deviation       of a rail from the chord of its ends
 //   quad_deviation       of the segments between two chords from the two triangles
-// docs/decisions/0006-meshes.md has the derivation.
+// docs/decisions/0005-meshes.md has the derivation.
 #pragma once
 
 #include <algorithm>
