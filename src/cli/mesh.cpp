@@ -136,7 +136,9 @@ double default_tolerance(const RuledArcs& arcs) {
 }
 
 TriangleMesh mesh_surface(const RuledArcs& arcs, double tolerance, MeshPrecision precision) {
-  return mesh_of_strips(arcs, cut_strips(arcs, tolerance, precision));
+  TriangleMesh mesh = mesh_of_strips(arcs, cut_strips(arcs, tolerance, precision));
+  if (mesh.triangles.empty()) throw InvalidInput("points", "sweep no surface: both rails are one curve");
+  return mesh;
 }
 
 }  // namespace torse::cli

@@ -17,7 +17,8 @@ RuledArcs arcs_of(const RuledFile<Rational>& surface);
 /// A thousandth of the diagonal of the box around the Bezier points.
 double default_tolerance(const RuledArcs& arcs);
 
-/// The mesh with the corners rounded to `precision`. Throws InvalidInput as `cut_strips` does.
+/// The mesh with the corners rounded to `precision`. Throws InvalidInput as `cut_strips` does, and naming "points"
+/// where the rails are one curve.
 TriangleMesh mesh_surface(const RuledArcs& arcs, double tolerance, MeshPrecision precision);
 
 }  // namespace torse::cli

@@ -315,6 +315,9 @@ TEST(Mesh, WhatHasNoMesh) {
   EXPECT_EQ(place(twisted, 1e-6), "tolerance");
   const std::vector<Vec<Q, 3>> one(2, test::point(1, 2, 3));
   EXPECT_EQ(place(surface_of(bezier_knots<Q>(1), one, one), 1), "points");
+  const std::vector<Vec<Q, 3>> line{test::point(0, 0, 0), test::point(1, 0, 0)};
+  const RuledArcs same = arcs_of(surface_of(bezier_knots<Q>(1), line, line));
+  EXPECT_EQ(test::place_of([&] { return mesh_surface(same, 1, doubles); }), "points");
   RuledFile<Q> negative = rational_cubic();
   for (Q& w : negative.d.weights) w = -w;
   EXPECT_EQ(place(negative, 1), "");
