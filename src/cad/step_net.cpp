@@ -37,20 +37,22 @@ std::vector<double> repeated(const Handle(TColStd_HArray1OfReal) & knots,
   return list;
 }
 
-/// Knots -n, ..., 0, 1, ... of a uniform curve; with the outer ones drawn to the domain for a quasi-uniform one.
+/// Knots 0, 1, ... of a uniform curve, as OpenCASCADE counts them; 0, ..., 0, 1, ..., m, ..., m for a quasi-uniform
+/// one.
 std::vector<double> uniform(int degree, std::size_t points, bool clamped) {
   std::vector<double> list;
   const int last = static_cast<int>(points) - degree;
-  for (int i = -degree; i <= last + degree; ++i) list.push_back(clamped ? std::min(std::max(i, 0), last) : i);
+  for (int i = -degree; i <= last + degree; ++i) list.push_back(clamped ? std::min(std::max(i, 0), last) : i + degree);
   return list;
 }
 
 /// Bezier pieces: inner knots of the degree's multiplicity.
 std::vector<double> bezier(int degree, std::size_t points) {
   std::vector<double> list{0};
-  for (std::size_t i = 0; degree > 0 && i < points - 1; i += static_cast<std::size_t>(degree)) {
-    list.insert(list.end(), static_cast<std::size_t>(degree),
-                static_cast<double>(i / static_cast<std::size_t>(degree)));
+  double knot = 0;
+  for (std::size_t i = 0; degree > 0 && i + 1 < points; i += static_cast<std::size_t>(degree)) {
+    list.insert(list.end(), static_cast<std::size_t>(degree), knot);
+    knot += 1;
   }
   const double end = list.back() + 1;
   list.insert(list.end(), static_cast<std::size_t>(degree) + 1, end);

@@ -149,7 +149,7 @@ Net net_of(const Geom_BSplineSurface& surface) {
 
 Handle(Geom_BSplineSurface) not_periodic(const Handle(Geom_BSplineSurface) & given) {
   if (!given->IsUPeriodic() && !given->IsVPeriodic()) return given;
-  const Handle(Geom_BSplineSurface) surface = as<Geom_BSplineSurface>(given->Copy());
+  Handle(Geom_BSplineSurface) surface = as<Geom_BSplineSurface>(given->Copy());
   if (surface->IsUPeriodic()) surface->SetUNotPeriodic();
   if (surface->IsVPeriodic()) surface->SetVNotPeriodic();
   return surface;

@@ -137,9 +137,8 @@ std::string run_reader(const std::string& file, CadFormat format, const std::str
 /// What may explain a crash.
 std::string complaint_about(const std::string& file, CadFormat format, const std::string& bytes) {
   try {
-    const std::string complaint = run_cad(
-        file, bytes.size(), [&](CadFormats& formats) { return formats.complaint(format, MemoryFile(bytes).path()); });
-    return complaint;
+    return run_cad(file, bytes.size(),
+                   [&](CadFormats& formats) { return formats.complaint(format, MemoryFile(bytes).path()); });
   } catch (const FileError&) {
     return "";
   }

@@ -102,6 +102,23 @@ TEST_F(Step, UnclampedKnotsAreKept) {
   EXPECT_EQ(read[0].surface->knots.list(), (std::vector<Rational>{q("-1"), q("0"), q("1"), q("2")}));
 }
 
+TEST_F(Step, KnotsThatTheKindImplies) {
+  const auto knots = [&](const std::string& kind) {
+    StepText step;
+    std::vector<std::vector<std::string>> rows;
+    for (const char* x : {"0.", "1.", "2.", "3.", "4."})
+      rows.push_back({x + std::string(",0.,0."), x + std::string(",0.,1.")});
+    const std::string surface = step.add(kind + "('',2,1," + step.net(rows) + ",.UNSPECIFIED.,.F.,.F.,.F.)");
+    const auto read = faces(alone(step, surface));
+    std::string text;
+    for (const Rational& t : read.at(0).surface->knots.list()) text += t.text() + " ";
+    return text;
+  };
+  EXPECT_EQ(knots("BEZIER_SURFACE"), "0 0 1 1 2 2 ");
+  EXPECT_EQ(knots("QUASI_UNIFORM_SURFACE"), "0 0 1 2 3 3 ");
+  EXPECT_EQ(knots("UNIFORM_SURFACE"), "1 2 3 4 5 6 ");
+}
+
 TEST_F(Step, ElementarySurfacesAreExactlyWhatTheyAre) {
   // Directions of irrational length, so that every coordinate that OpenCASCADE computes is rounded.
   StepText step;
