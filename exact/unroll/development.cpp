@@ -25,7 +25,7 @@ class Chain {
   void start(const Stretch& stretch, const Q& t) {
     arb_const_pi(angle_.get(), stretch.bits());
     arb_mul_2exp_si(angle_.get(), angle_.get(), -1);
-    Station first{t, {}, {}, {}, {}};
+    Station first{t, {}, {}, {}, {}, {}};
     place_end(first, stretch, Q(0));
     stations_.push_back(std::move(first));
   }
@@ -88,11 +88,13 @@ class Chain {
   Station stationed(const PieceStrip& strip, const Stretch& stretch, const Q& tau, const Step& step) const {
     const Station& last = stations_.back();
     const slong bits = stretch.bits();
-    Station next{strip.begin + tau * (strip.end - strip.begin), step.chord, {}, last.length_c, last.length_d};
+    Station next{
+        strip.begin + tau * (strip.end - strip.begin), step.chord, {}, last.length_c, last.length_d, last.area};
     acb_mul(next.p.get(), next.p.get(), direction(angle_, bits).get(), bits);
     acb_add(next.p.get(), next.p.get(), last.p.get(), bits);
     arb_add(next.length_c.get(), next.length_c.get(), step.length_c.get(), bits);
     arb_add(next.length_d.get(), next.length_d.get(), step.length_d.get(), bits);
+    arb_add(next.area.get(), next.area.get(), step.area.get(), bits);
     place_end(next, stretch, tau, turned(step, bits));
     return next;
   }

@@ -19,6 +19,7 @@ struct Station {
   arb::Complex q;
   arb::Real length_c;  ///< of the rail C from the first station to here
   arb::Real length_d;
+  arb::Real area;  ///< of the strip from the first station to here
 };
 
 /// An upper bound of the distance between a curve of this length and the chord between its ends: it lies within the

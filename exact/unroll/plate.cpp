@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "torse/exact/unroll/development.hpp"
-#include "torse/exact/unroll/measure.hpp"
 
 namespace torse {
 namespace {
@@ -56,6 +55,12 @@ Interval chord_length(const PlatePoint& a, const PlatePoint& b) {
 double largest_difference(const Interval& x, const Interval& y) {
   const Interval z = x - y;
   return std::max({0.0, -z.lower(), z.upper()});
+}
+
+/// Of a number that is known not to be negative.
+Interval at_least_zero(const Real& x) {
+  const Interval y = arb::enclosure(x);
+  return Interval::hull(std::max(y.lower(), 0.0), y.upper());
 }
 
 /// The stations that are kept: all marks, and so many that each rail is within the tolerance of its chords.
@@ -243,8 +248,7 @@ std::vector<Bend> bends_of(const std::vector<PieceStrip>& strips) {
 Interval true_length(const Station& station) {
   Real length;
   acb_abs(length.get(), difference(station.q, station.p).get(), bits);
-  const Interval x = arb::enclosure(length);
-  return Interval::hull(std::max(x.lower(), 0.0), x.upper());
+  return at_least_zero(length);
 }
 
 void measure_rulings(Plate& plate, const std::vector<Station>& kept, const std::vector<Rational>& marks,
@@ -325,12 +329,12 @@ Plate unroll_plate(const std::vector<PieceStrip>& strips, const PlateOptions& op
   for (const PlateRail* rail : {&plate.c, &plate.d}) {
     for (double x : rail->deviation) plate.deviation = std::max(plate.deviation, x);
   }
-  const SurfaceMeasures measures = measure(strips);
-  plate.c.before = measures.length_c;
-  plate.d.before = measures.length_d;
+  plate.c.before = at_least_zero(kept.back().length_c);
+  plate.d.before = at_least_zero(kept.back().length_d);
+  const Interval planar_area = at_least_zero(kept.back().area);
   const Interval cosine = options.warp_degrees > 0 ? least_cosine(options.warp_degrees) : Interval(1);
   plate.stretch = (Interval(1) / cosine - Interval(1)).upper();
-  plate.area_before = Interval::hull((measures.planar_area * cosine).lower(), measures.planar_area.upper());
+  plate.area_before = Interval::hull((planar_area * cosine).lower(), planar_area.upper());
   const Outline outline = outline_of(plate);
   plate.area_after = polygon_area(outline.points);
   plate.overlap = find_overlap(outline, probes_of(plate));

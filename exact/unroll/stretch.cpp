@@ -34,7 +34,7 @@ Stretch::Stretch(const StripForms<Q>& forms, Q from, Q to, bool breaking)
   bits_ = 192 + 4 * degree;
   terms_ = f.terms.transformed([&](const Polynomial<Q>& g) { return arb::to_poly(g, bits_); });
   for_rates_ = terms_;
-  for (arb::RealPoly* g : {&for_rates_.gap, &for_rates_.spin2, &for_rates_.fold}) *g = arb::RealPoly();
+  for (arb::RealPoly* g : {&for_rates_.spin2, &for_rates_.fold}) *g = arb::RealPoly();
 }
 
 Strip<DiscBall> Stretch::at(const arb::Complex& tau) const {

@@ -24,7 +24,7 @@ class Stretch {
 
   /// Values at a complex ball.
   Strip<DiscBall> at(const arb::Complex& tau) const;
-  /// Taylor series around `middle`, complete; of what strip_rates does not need (gap, spin2, fold), zero.
+  /// Taylor series around `middle`, complete; of what strip_rates does not need (spin2, fold), zero.
   Strip<arb::RealPoly> around(const arb::Real& middle) const;
   /// |D - C| at a parameter.
   arb::Real ruling(const Rational& tau) const;

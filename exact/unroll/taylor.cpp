@@ -150,6 +150,7 @@ Step step_over(const Stretch& stretch, const Span& span) {
   step.chord = chord_of(turned_speed(series, bits), speed_bound, before, eta, bits);
   step.length_c = increase(series.speed_c.value, magnitude(disc.speed_c), eta, bits);
   step.length_d = increase(series.speed_d.value, magnitude(disc.speed_d), eta, bits);
+  step.area = increase(series.swept.value, magnitude(disc.swept), eta, bits);
   return step;
 }
 
@@ -184,6 +185,7 @@ Step breaking_step(const Stretch& stretch) {
   step.turn = at_most(spin / f.ruling2);
   step.length_c = at_most(speed_c(f));
   step.length_d = at_most(speed_d(f));
+  step.area = at_most(planar_density(f));
   acb_set_arb_arb(step.chord.get(), step.length_c.get(), step.length_c.get());
   return step;
 }

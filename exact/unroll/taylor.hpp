@@ -21,6 +21,7 @@ struct Step {
   arb::Complex chord;  ///< of P, for a ruling that points along 1 at the beginning
   arb::Real length_c;
   arb::Real length_d;
+  arb::Real area;  ///< of the plane strip
 };
 
 /// The step from tau = from to to on a stretch that is not breaking; none where it is too long for this method, and it

@@ -201,6 +201,7 @@ struct StripRates {
   T across_c;  ///< |C' x e|
   T across_d;  ///< |D' x e|
   T turn;      ///< (|D' x e| - |C' x e|)/|D - C|: how fast u turns towards u_
+  T swept;     ///< the area that the ruling sweeps in the plane, planar_density
 };
 
 namespace detail {
@@ -224,6 +225,14 @@ T speed_d(const Strip<T>& f) {
   return f.speed_d * ScalarTraits<T>::sqrt(f.speed_d2) / (f.omega * f.omega);
 }
 
+/// The area that the ruling sweeps in the plane: |D - C| (|x| + |y|)/2. On the surface it sweeps at most that, and at
+/// least cos(omega/2) of it where the normals along it are at most omega <= 90 degrees apart.
+template <class T>
+T planar_density(const Strip<T>& f) {
+  const auto [x, y] = detail::normal_lengths(f, f.w * f.w, f.omega * f.omega);
+  return f.gap * f.across * (x + y) / ((f.w * f.omega) + (f.w * f.omega));
+}
+
 /// The rates from values of an oriented strip. The turn is taken as e'.(x + y)/(|x| + |y|), which is the same without a
 /// division by the ruling's length. T is a field with ScalarTraits<T>::sqrt; its elements may be power series.
 template <class T>
@@ -233,21 +242,14 @@ StripRates<T> strip_rates(const Strip<T>& f) {
   const T omega2 = f.omega * f.omega;
   const auto [x, y] = detail::normal_lengths(f, w2, omega2);
   return {speed_c(f),          speed_d(f),          f.along / (root * w2),
-          f.across * x / root, f.across * y / root, (f.turn_c / w2 + f.turn_d / omega2) / (f.ruling2 * (x + y))};
+          f.across * x / root, f.across * y / root, (f.turn_c / w2 + f.turn_d / omega2) / (f.ruling2 * (x + y)),
+          planar_density(f)};
 }
 
 /// |D - C|.
 template <class T>
 T ruling_length(const Strip<T>& f) {
   return f.gap * ScalarTraits<T>::sqrt(f.ruling2) / (f.w * f.omega);
-}
-
-/// The area that the ruling sweeps in the plane: |D - C| (|x| + |y|)/2. On the surface it sweeps at most that, and at
-/// least cos(omega/2) of it where the normals along it are at most omega <= 90 degrees apart.
-template <class T>
-T planar_density(const Strip<T>& f) {
-  const auto [x, y] = detail::normal_lengths(f, f.w * f.w, f.omega * f.omega);
-  return f.gap * f.across * (x + y) / ((f.w * f.omega) + (f.w * f.omega));
 }
 
 }  // namespace torse
