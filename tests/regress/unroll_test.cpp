@@ -196,7 +196,7 @@ TEST_F(Unroll, WhatCannotLieFlatIsRefused) {
 TEST_F(Unroll, UsageAndInput) {
   EXPECT_THAT(refusal(cone, {"--tolerance", "1e-30"}, 2), HasSubstr("--tolerance: expected"));
   EXPECT_THAT(refusal(cone, {"--tolerance", "x"}, 2), HasSubstr("--tolerance: expected a number"));
-  EXPECT_THAT(refusal(cone, {"--unit", "mile"}, 2), HasSubstr("--unit: expected one of mm"));
+  EXPECT_THAT(refusal(cone, {"--unit", "furlong"}, 2), HasSubstr("--unit: expected one of mm"));
   EXPECT_THAT(refusal(cone, {"--rulings", "0"}, 2), HasSubstr("--rulings"));
   EXPECT_THAT(refusal(cone, {"--max-warp", "60deg"}, 2), HasSubstr("--max-warp: expected at most 45"));
   EXPECT_THAT(refusal(cone, {"-o", file("plate.pdf")}, 2), HasSubstr("ends in .svg, .dxf or .json"));
