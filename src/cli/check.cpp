@@ -123,6 +123,7 @@ int run_check(const CheckOptions& options) {
     }
   }
   std::vector<ReportCase> cases;
+  cases.reserve(faces.size());
   for (const CheckedFace& checked : faces) cases.push_back(case_of(checked, demand));
   const int code = code_of(cases);
   std::optional<RepairedSurface> repaired;
