@@ -156,10 +156,10 @@ class Rational {
   static Rational apply(A&& a, B&& b) {
     if constexpr (std::same_as<A, Rational>) {
       f(a.q_, a.q_, b.q_);
-      return std::move(a);
+      return std::forward<A>(a);
     } else if constexpr (std::same_as<B, Rational>) {
       f(b.q_, a.q_, b.q_);
-      return std::move(b);
+      return std::forward<B>(b);
     } else {
       Rational r{Raw{}};
       f(r.q_, a.q_, b.q_);

@@ -188,7 +188,7 @@ std::string polynomial_text(const Polynomial<S>& f) {
   for (int i = f.degree(); i >= 0; --i) {
     if (definitely(is_zero(f[i]))) continue;
     std::string factor = as_text(f[i]);
-    if (factor.find(' ') != std::string::npos) factor = '(' + factor + ')';
+    if (factor.find(' ') != std::string::npos) factor.insert(0, 1, '(').push_back(')');
     const bool negative = factor.front() == '-';
     if (negative) factor.erase(0, 1);
     text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
@@ -196,7 +196,7 @@ std::string polynomial_text(const Polynomial<S>& f) {
     if (power.empty()) {
       text += factor;
     } else {
-      text += factor == "1" ? power : factor + ' ' + power;
+      text += factor == "1" ? power : factor.append(1, ' ').append(power);
     }
   }
   return text;

@@ -27,17 +27,25 @@ struct Rule {
   std::string text;
 };
 
-/// What the developable flag of the file is worth: "true" and "false" for one that is set, "unclaimed" for a
-/// developable surface without it, "none".
+/// What the developable flag of the file is worth, held to the demand: "true" and "false" for one that is set,
+/// "unclaimed" for a surface that passes without it, "none", "undecided".
 std::string claim_of(const CheckedFace& checked) {
-  const bool developable = checked.judgement->developable();
-  if (*checked.face.cad->claimed_developable) return developable ? "true" : "false";
-  return developable ? "unclaimed" : "none";
+  if (checked.passes == Truth::unknown) return "undecided";
+  const bool passes = definitely(checked.passes);
+  if (*checked.face.cad->claimed_developable) return passes ? "true" : "false";
+  return passes ? "unclaimed" : "none";
+}
+
+/// Whether a judged face meets the demand.
+Truth passes(const CheckedFace& checked, const Demand& demand) {
+  if (checked.judgement->developable()) return Truth::yes;
+  return demand.max_warp ? checked.warp.within_limit : Truth::no;
 }
 
 std::string claim_text(const std::string& claim) {
   if (claim == "true") return "developable flag: claimed and true";
   if (claim == "false") return "developable flag: claimed and false";
+  if (claim == "undecided") return "developable flag: not decided";
   return "developable flag: not claimed though true";
 }
 
@@ -79,6 +87,7 @@ CheckedFace check_face(Face face, const Demand& demand) {
   const auto start = std::chrono::steady_clock::now();
   checked.judgement = judge(*checked.face.surface);
   if (!checked.judgement->developable()) checked.warp = judge_warp(*checked.face.surface, demand.max_warp);
+  checked.passes = passes(checked, demand);
   checked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return checked;
 }
@@ -95,13 +104,11 @@ std::vector<CheckedFace> check_faces(const std::string& file, const std::string&
   return list;
 }
 
-Outcome outcome_of(const CheckedFace& checked, const Demand& demand) {
+Outcome outcome_of(const CheckedFace& checked) {
   if (checked.error) return Outcome::error;
   if (!checked.face.surface) return Outcome::skipped;
-  if (checked.judgement->developable()) return Outcome::passed;
-  if (!demand.max_warp) return Outcome::failed;
-  if (!possibly(checked.warp.within_limit)) return Outcome::failed;
-  return definitely(checked.warp.within_limit) ? Outcome::passed : Outcome::undecided;
+  if (checked.passes == Truth::unknown) return Outcome::undecided;
+  return definitely(checked.passes) ? Outcome::passed : Outcome::failed;
 }
 
 std::string verdict_of(const CheckedFace& checked) {
@@ -128,7 +135,7 @@ ReportCase case_of(const CheckedFace& checked, const Demand& demand) {
   ReportCase c;
   c.suite = "check";
   c.name = checked.face.of > 1 ? name_of_file(checked.face.file) + ": " + checked.face.name : checked.face.name;
-  c.outcome = outcome_of(checked, demand);
+  c.outcome = outcome_of(checked);
   c.message = message_of(checked, c.outcome);
   c.replay = checked.replay;
   const Rule rule = rule_of(checked, demand);

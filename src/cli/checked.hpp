@@ -30,6 +30,8 @@ struct CheckedFace {
   std::string replay;
   std::optional<Judgement> judgement{};
   WarpVerdict warp{};
+  /// Whether it meets the demand.
+  Truth passes = Truth::unknown;
   std::optional<FileError> error{};
   double seconds = 0;
 };
@@ -40,9 +42,9 @@ std::vector<CheckedFace> check_faces(const std::string& file, const std::string&
 /// Judges a face.
 CheckedFace check_face(Face face, const Demand& demand);
 
-/// Without an angle a surface must be developable, with it the warp must not exceed it. A face that is not ruled is
-/// skipped.
-Outcome outcome_of(const CheckedFace& checked, const Demand& demand);
+/// Whether it passes: without an angle a surface must be developable, with it the warp must not exceed it. A face that
+/// is not ruled is skipped.
+Outcome outcome_of(const CheckedFace& checked);
 
 /// The case for JUnit and SARIF; its message names face, span and value.
 ReportCase case_of(const CheckedFace& checked, const Demand& demand);

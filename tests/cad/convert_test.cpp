@@ -190,6 +190,16 @@ TEST_F(ConvertCad, TheFlagNeedsACertificate) {
   EXPECT_EQ(report(thirds, "d.igs", {"--max-warp", "1e-30"}).at("developable_flag"), false);
   EXPECT_EQ(faces("c.igs")[0].cad->claimed_developable, true);
   EXPECT_EQ(faces("d.igs")[0].cad->claimed_developable, false);
+
+  const auto claim = [&](const char* file, const std::vector<std::string>& limit) {
+    std::vector<std::string> words{"check", path(file), "--json", "-"};
+    words.insert(words.end(), limit.begin(), limit.end());
+    return json::parse(run_program(words).out).at("surfaces").at(0).at("claim");
+  };
+  EXPECT_EQ(claim("c.igs", {}), "false");  // exactly it is not
+  EXPECT_EQ(claim("c.igs", {"--max-warp", "1e-9"}), "true");
+  EXPECT_EQ(claim("d.igs", {}), "none");
+  EXPECT_EQ(claim("d.igs", {"--max-warp", "1e-9"}), "unclaimed");
 }
 
 TEST_F(ConvertCad, WhatIsReportedIsWhatCheckFinds) {
