@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -64,6 +65,17 @@ TEST(Overlap, MoreThanATurn) {
   // Exactly on itself twice: no edge crosses another, but points are covered twice.
   EXPECT_EQ(find_overlap(band(2, 0, 1e-6), middles(2)).verdict, Truth::yes);
   EXPECT_EQ(find_overlap(band(2, 0, 1e-6), {}).verdict, Truth::unknown);
+}
+
+TEST(Overlap, TheSenseOfTheOutlineDoesNotMatter) {
+  Outline clockwise = band(2, 0, 1e-6);
+  std::ranges::reverse(clockwise.points);
+  EXPECT_EQ(find_overlap(clockwise, middles(2)).verdict, Truth::yes);
+}
+
+TEST(Overlap, PointsOutsideAreCoveredByNothing) {
+  const std::vector<PlatePoint> outside{{-3, 0.5}, {3, 0.5}, {0.25, 0.25}, {-3, -0.5}};
+  EXPECT_EQ(find_overlap(band(2, 0, 1e-6), outside).verdict, Truth::unknown);
 }
 
 TEST(Overlap, ATouchIsNotDecided) {
