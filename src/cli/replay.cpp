@@ -1,6 +1,6 @@
 // torse replay: a file with a failing case, run again without any random choice of its own. The file is a report of
-// torse verify (every finding that failed runs again with its seed), a surface (checked) or a construction (made,
-// checked).
+// torse verify (every finding that failed runs again with its seed), a saved case of a property, a surface (checked) or
+// a construction (made, checked).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "torse/cli/command.hpp"
 #include "torse/cli/terminal.hpp"
+#include "torse/fuzz/run.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/spline_file.hpp"
 
@@ -55,6 +56,25 @@ int run_commands(const std::vector<std::vector<std::string>>& commands) {
   return worst;
 }
 
+/// Runs a saved case: 0 if the property holds, 1 if not, 3 if the input is no case of it.
+int run_case(const Document& document) {
+  const fuzz::CaseReport report = fuzz::replay_case(document);
+  const std::string name = document.root().at("property").string();
+  const Terminal terminal(stdout);
+  switch (report.result) {
+    case fuzz::CaseResult::held:
+      terminal.print(name + ": holds\n");
+      return exit_code::success;
+    case fuzz::CaseResult::failed:
+      terminal.print(name + ": FAILS: " + report.message + "\n");
+      return exit_code::refuted;
+    case fuzz::CaseResult::discarded:
+      terminal.print(name + ": no case: " + report.message + "\n");
+      break;
+  }
+  return exit_code::undecided;
+}
+
 int run_replay(const std::string& file) {
   const std::string text = read_file(file);
   const Json report = Json::parse(text, nullptr, false);
@@ -65,18 +85,19 @@ int run_replay(const std::string& file) {
   }
   const Document document(file, text);
   const std::string& type = file_type(document);
+  if (type == "case") return run_case(document);
   if (type == "ruled") return run_commands({{"check", file}});
   if (type == "construct") {
     return run_commands({{"construct", document.root().at("method").string(), file, "-o", "-"}});
   }
-  document.root().at("type").expected("\"ruled\", \"construct\" or a report of torse verify");
+  document.root().at("type").expected("\"case\", \"ruled\", \"construct\" or a report of torse verify");
 }
 
 }  // namespace
 
 std::function<int()> define_replay(CLI::App& app) {
   const auto file = std::make_shared<std::string>();
-  app.add_option("FILE", *file, "a report of torse verify, a surface or a construction")->required();
+  app.add_option("FILE", *file, "a report of torse verify, a saved case, a surface or a construction")->required();
   return [file] { return run_replay(*file); };
 }
 
