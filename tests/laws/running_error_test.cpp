@@ -1,0 +1,150 @@
+// Running errors: the value is that of double, bit for bit, and the exact result is within the bound.
+#include "torse/exact/instrumented/running_error.hpp"
+
+#include <cmath>
+
+#include "laws/laws.hpp"
+#include "torse/exact/rational/rational.hpp"
+
+namespace torse::laws {
+
+template <>
+struct Samples<RunningError> : DyadicSamples<RunningError> {
+  static constexpr bool throws_on_zero = false;
+};
+
+INSTANTIATE_TYPED_TEST_SUITE_P(RunningError, RingLaws, RunningError, ScalarName);
+INSTANTIATE_TYPED_TEST_SUITE_P(RunningError, FieldLaws, RunningError, ScalarName);
+INSTANTIATE_TYPED_TEST_SUITE_P(RunningError, OrderLaws, RunningError, ScalarName);
+INSTANTIATE_TYPED_TEST_SUITE_P(RunningError, RealLaws, RunningError, ScalarName);
+
+namespace {
+
+/// A number as a program of operations sees it in three arithmetics.
+struct Three {
+  double rounded;
+  RunningError running;
+  Rational exact;
+
+  static Three of(double x) { return {x, RunningError::from_double(x), Rational::from_double(x)}; }
+};
+
+double hostile(Rng& rng) {
+  if (rng() % 16 == 0) return 0;
+  const double mantissa = rng() % 3 == 0 ? 1 : 1 + static_cast<double>(rng() >> 12) * 0x1p-52;
+  const int exponent = static_cast<int>(rng() % 4 == 0 ? integer(rng, -1074, 1023) : integer(rng, -30, 30));
+  return (rng() % 2 == 0 ? 1 : -1) * std::ldexp(mantissa, exponent);
+}
+
+Rational absolute(const Rational& x) { return x.sign() < 0 ? -x : x; }
+
+void expect_within(const Three& x) {
+  if (std::isnan(x.rounded)) {
+    EXPECT_TRUE(std::isnan(x.running.value()));
+  } else {
+    EXPECT_EQ(x.running.value(), x.rounded);
+  }
+  if (!std::isfinite(x.running.bound())) return;
+  ASSERT_TRUE(std::isfinite(x.rounded));
+  EXPECT_LE(absolute(Rational::from_double(x.rounded) - x.exact), Rational::from_double(x.running.bound()));
+}
+
+/// x op y in all three; a divisor whose exact value is zero is left alone.
+Three apply(std::uint64_t operation, const Three& x, const Three& y) {
+  switch (operation % 5) {
+    case 0:
+      return {x.rounded + y.rounded, x.running + y.running, x.exact + y.exact};
+    case 1:
+      return {x.rounded - y.rounded, x.running - y.running, x.exact - y.exact};
+    case 2:
+      return {x.rounded * y.rounded, x.running * y.running, x.exact * y.exact};
+    default:
+      break;
+  }
+  if (y.exact.sign() == 0) return x;
+  return {x.rounded / y.rounded, x.running / y.running, x.exact / y.exact};
+}
+
+TEST(RunningError, BoundsTheErrorOfChainsOfOperations) {
+  Rng rng(21);
+  int known = 0;
+  for (int run = 0; run < 3000 && !testing::Test::HasFailure(); ++run) {
+    std::vector<Three> numbers{Three::of(hostile(rng)), Three::of(hostile(rng)), Three::of(hostile(rng))};
+    for (int step = 0; step < 6; ++step) {
+      const Three& x = numbers[rng() % numbers.size()];
+      const Three& y = numbers[rng() % numbers.size()];
+      Three next = apply(rng(), x, y);
+      expect_within(next);
+      known += std::isfinite(next.running.bound()) ? 1 : 0;
+      if (next.exact.denominator_bits() + next.exact.numerator_bits() < 20000) numbers.push_back(std::move(next));
+    }
+  }
+  EXPECT_GT(known, 12000);
+}
+
+TEST(RunningError, DivisorsMayBeNearlyAsSmallAsTheirErrors) {
+  Rng rng(23);
+  for (int run = 0; run < 3000 && !testing::Test::HasFailure(); ++run) {
+    const Three big = Three::of(std::ldexp(1 + static_cast<double>(rng() >> 12) * 0x1p-52, 50));
+    const Three divisor = apply(3, Three::of(1 + static_cast<double>(rng() >> 12) * 0x1p-52), big);
+    expect_within(apply(4, Three::of(hostile(rng)), divisor));
+  }
+}
+
+TEST(RunningError, QuotientsMayUnderflow) {
+  Rng rng(24);
+  for (int run = 0; run < 3000 && !testing::Test::HasFailure(); ++run) {
+    const double tiny =
+        std::ldexp(1 + static_cast<double>(rng() >> 12) * 0x1p-52, static_cast<int>(integer(rng, -1074, -950)));
+    const double other =
+        std::ldexp(1 + static_cast<double>(rng() >> 12) * 0x1p-52, static_cast<int>(integer(rng, -90, 90)));
+    expect_within(apply(4, Three::of(tiny), Three::of(other)));
+    if (std::isfinite(1 / tiny)) expect_within(apply(4, Three::of(other), Three::of(1 / tiny)));
+  }
+}
+
+TEST(RunningError, OperationsThatDoNotRoundAddNothing) {
+  const auto exact = [](double x) { return RunningError::from_double(x); };
+  EXPECT_EQ((exact(0.5) + exact(0.25)).bound(), 0);
+  EXPECT_EQ((exact(3) * exact(0.125)).bound(), 0);
+  EXPECT_EQ((exact(3) / exact(8)).bound(), 0);
+  EXPECT_EQ((exact(0x1p-1060) * exact(0)).bound(), 0);
+  EXPECT_EQ(ScalarTraits<RunningError>::sqrt(exact(2.25)).bound(), 0);
+  EXPECT_EQ(is_zero(exact(0.1) - exact(0.1)), Truth::yes);
+}
+
+TEST(RunningError, BoundsAreNearTheErrors) {
+  const RunningError third = RunningError(1) / RunningError(3);
+  EXPECT_LT(third.bound(), 0x1p-54);
+  EXPECT_GT(third.bound(), 0x1p-56);
+  EXPECT_EQ(is_zero(third * RunningError(3) - RunningError(1)), Truth::unknown);
+  EXPECT_EQ(is_zero(third - RunningError::from_double(0.3333)), Truth::no);
+}
+
+TEST(RunningError, NothingIsKnownBeyondTheRangeOrBesideAZeroDivisor) {
+  const RunningError huge = RunningError::from_double(0x1p1023);
+  EXPECT_EQ(is_zero(huge + huge), Truth::unknown);
+  EXPECT_EQ(is_zero(huge * huge), Truth::unknown);
+  EXPECT_EQ(is_zero(RunningError(1) / RunningError(0)), Truth::unknown);
+  const RunningError small = RunningError(1) / RunningError(3) * RunningError(3) - RunningError(1);
+  EXPECT_TRUE(std::isinf((RunningError(1) / small).bound()));
+  EXPECT_TRUE(std::isinf((huge + huge).bound()));
+  EXPECT_TRUE(std::isinf(ScalarTraits<RunningError>::sqrt(RunningError::from_double(0x1p-60) - small).bound()));
+  EXPECT_TRUE(std::isinf(ScalarTraits<RunningError>::sqrt(RunningError(-1)).bound()));
+}
+
+TEST(RunningError, RootsAreWithinTheirBounds) {
+  Rng rng(22);
+  for (int run = 0; run < 3000 && !testing::Test::HasFailure(); ++run) {
+    const double x = std::abs(hostile(rng));
+    const RunningError r = ScalarTraits<RunningError>::sqrt(RunningError::from_double(x));
+    const Rational value = Rational::from_double(r.value());
+    const Rational bound = Rational::from_double(r.bound());
+    const Rational low = value - bound;
+    EXPECT_LE(low.sign() < 0 ? Rational() : low * low, Rational::from_double(x));
+    EXPECT_GE((value + bound) * (value + bound), Rational::from_double(x));
+  }
+}
+
+}  // namespace
+}  // namespace torse::laws
