@@ -49,7 +49,7 @@ class Choices {
  private:
   Choices() = default;
 
-  std::optional<proofs::Rng> random_;
+  std::optional<proofs::Bounded<proofs::SplitMix>> random_;
   Record given_;
   std::size_t used_ = 0;
   std::span<const std::uint8_t> bytes_;

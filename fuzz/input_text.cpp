@@ -1,5 +1,7 @@
 #include "torse/fuzz/input_text.hpp"
 
+#include <cstdio>
+
 namespace torse::fuzz::detail {
 namespace {
 
@@ -14,6 +16,12 @@ std::string hex_text(std::string_view bytes) {
     text += digits[value / 16];
     text += digits[value % 16];
   }
+  return text;
+}
+
+std::string Field<double>::write(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "\"%a\"", x);
   return text;
 }
 

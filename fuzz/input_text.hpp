@@ -3,8 +3,8 @@
 //   Bytes                        any text, valid UTF-8 or not; in JSON as hexadecimal digits
 // An input is an aggregate In with default values and
 //   template <class Self, class Visitor> static void fields(Self& in, Visitor& visit) { visit("name", in.member); ... }
-// Members are bool, int, Rational, std::string (printable), Bytes, KnotList<Rational>, Vec<Rational, D>, std::vector
-// and std::optional of these, and aggregates with fields of their own.
+// Members are bool, int, double (finite; in JSON as a hexadecimal float), Rational, std::string (printable), Bytes,
+// KnotList<Rational>, Vec<S, D>, std::vector and std::optional of these, and aggregates with fields of their own.
 #pragma once
 
 #include <optional>
@@ -54,6 +54,11 @@ struct Field<int> {
   static int read(const Value& value) { return value.integer(-2147483647, 2147483647); }
 };
 template <>
+struct Field<double> {
+  static std::string write(double x);
+  static double read(const Value& value) { return value.number<Rational>().to_double(); }
+};
+template <>
 struct Field<Rational> {
   static std::string write(const Rational& x) { return '"' + x.text() + '"'; }
   static Rational read(const Value& value) { return value.number<Rational>(); }
@@ -91,15 +96,15 @@ struct Field<std::optional<T>> {
     return items.empty() ? std::nullopt : std::optional<T>(Field<T>::read(items.front()));
   }
 };
-template <int D>
-struct Field<Vec<Rational, D>> {
-  static std::string write(const Vec<Rational, D>& x) {
-    return Field<std::vector<Rational>>::write(std::vector<Rational>(x.data(), x.data() + D));
+template <class S, int D>
+struct Field<Vec<S, D>> {
+  static std::string write(const Vec<S, D>& x) {
+    return Field<std::vector<S>>::write(std::vector<S>(x.data(), x.data() + D));
   }
-  static Vec<Rational, D> read(const Value& value) {
-    const auto list = Field<std::vector<Rational>>::read(value);
+  static Vec<S, D> read(const Value& value) {
+    const auto list = Field<std::vector<S>>::read(value);
     if (static_cast<int>(list.size()) != D) value.expected(std::to_string(D) + " numbers");
-    Vec<Rational, D> x;
+    Vec<S, D> x;
     for (int i = 0; i < D; ++i) x[i] = list[static_cast<std::size_t>(i)];
     return x;
   }

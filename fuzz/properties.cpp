@@ -1,5 +1,6 @@
 #include "torse/fuzz/properties.hpp"
 
+#include "torse/fuzz/properties/double_net.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
 
 namespace torse::fuzz {
@@ -7,6 +8,7 @@ namespace torse::fuzz {
 const std::vector<const Property*>& properties() {
   static const std::vector<const Property*> list{
       &property<NumberText>(),
+      &property<DoubleNetProperty>(),
   };
   return list;
 }

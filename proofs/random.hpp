@@ -1,5 +1,7 @@
 // Deterministic random numbers: the same seed gives the same cases on every machine and compiler.
-//   Rng           a 64-bit generator with bounded integers and chances
+//   Bounded       bounded integers and chances out of an engine's 64 random bits
+//   Rng           Bounded on std::mt19937_64: long runs from one seed
+//   SplitMix      an engine that costs nothing to seed: short runs from many seeds
 //   seed_of       the seed of one task from the run's seed and the task's name
 #pragma once
 
@@ -11,12 +13,13 @@
 
 namespace torse::proofs {
 
-/// std::mt19937_64 without the library's distributions, whose results differ between implementations.
-class Rng {
+/// The engine without the library's distributions, whose results differ between implementations.
+template <class Engine>
+class Bounded {
  public:
   using result_type = std::uint64_t;
 
-  explicit Rng(std::uint64_t seed) : engine_(seed) {}
+  explicit Bounded(std::uint64_t seed) : engine_(seed) {}
 
   static constexpr std::uint64_t min() { return 0; }
   static constexpr std::uint64_t max() { return ~std::uint64_t{0}; }
@@ -34,7 +37,26 @@ class Rng {
   bool once_in(std::uint64_t times) { return below(times) == 0; }
 
  private:
-  std::mt19937_64 engine_;
+  Engine engine_;
+};
+
+using Rng = Bounded<std::mt19937_64>;
+
+/// SplitMix64: a counter in steps of the golden ratio, its bits mixed (Steele, Lea and Flood 2014; the constants are
+/// those of Stafford's variant 13).
+class SplitMix {
+ public:
+  explicit SplitMix(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t operator()() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+  }
+
+ private:
+  std::uint64_t state_;
 };
 
 /// A seed for the task `name` and index `i` of a run: FNV-1a over the name, then a finaliser.

@@ -10,12 +10,12 @@ namespace torse::fuzz {
 namespace {
 
 TEST(Choices, GiveTheSameNumbersOnEveryMachine) {
-  // The second output of std::mt19937_64 seeded with 5489 is fixed by the C++ standard only through the 10000th,
-  // 9981545732273789042; scaled to 1000 by the upper bits that is 541.
-  Choices choices = Choices::from_seed(5489);
-  std::uint64_t last = 0;
-  for (int i = 0; i < 10000; ++i) last = choices.below(1000);
-  EXPECT_EQ(last, 541U);
+  // The first numbers of SplitMix64 from 1234567, as its authors print them: 6457827717110365317, 3203168211198807973,
+  // 9817491932198370423. Their upper bits, scaled to 2^32 and to 10.
+  Choices choices = Choices::from_seed(1234567);
+  EXPECT_EQ(choices.below(std::uint64_t{1} << 32U), 6457827717110365317U >> 32U);
+  EXPECT_EQ(choices.below(10), 1U);
+  EXPECT_EQ(choices.below(10), 5U);
 }
 
 TEST(Choices, StayBelowTheirBound) {
