@@ -1,15 +1,25 @@
 #include "torse/fuzz/properties.hpp"
 
 #include "torse/fuzz/properties/double_net.hpp"
+#include "torse/fuzz/properties/file_text.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
+#include "torse/fuzz/properties/refused_file.hpp"
+#include "torse/fuzz/properties/scrambled_file.hpp"
+#include "torse/fuzz/properties/spelling.hpp"
 
 namespace torse::fuzz {
 
 const std::vector<const Property*>& properties() {
+  // clang-format off
   static const std::vector<const Property*> list{
-      &property<NumberText>(),
       &property<DoubleNetProperty>(),
+      &property<FileText>(),
+      &property<NumberText>(),
+      &property<RefusedFile>(),
+      &property<ScrambledFile>(),
+      &property<Spelling>(),
   };
+  // clang-format on
   return list;
 }
 
