@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "torse/algebra/triple.hpp"
 #include "torse/exact/unroll/development.hpp"
 
 namespace torse {
@@ -201,14 +202,6 @@ struct Bend {
 
 std::array<Rational, 3> value_at(const std::array<Polynomial<Rational>, 3>& f, const Rational& tau) {
   return {f[0](tau), f[1](tau), f[2](tau)};
-}
-
-std::array<Rational, 3> cross(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Rational dot(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// The vector over its largest coordinate in absolute value.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 
+#include "torse/algebra/triple.hpp"
 #include "torse/exact/warp/rounded_forms.hpp"
 #include "torse/exact/warp/sliding_row.hpp"
 
@@ -33,11 +34,6 @@ constexpr double frame_defect = 0x1p-44;
 constexpr double frame_slack = 0x1p-36;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-Lanes dot(const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
-Vector cross(const Vector& x, const Vector& y) {
-  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-}
 
 /// h += x y.
 void add_product(Lanes* h, const Lanes* x, int dx, const Lanes* y, int dy) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "torse/algebra/determinant.hpp"
 #include "torse/spline/compatible.hpp"
 #include "torse/spline/piece_polynomials.hpp"
 
@@ -63,12 +64,6 @@ struct Turn {
   Q s;
   Q k;
 };
-
-Q dot(const Point& x, const Point& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
-
-Point cross(const Point& x, const Point& y) {
-  return Point(x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]);
-}
 
 /// The polar form of q -> (|q|^2, |q|^2 o + q x q*) at two turns: the homogeneous control point of the arc between them
 /// through which the point o + x moves (o on the axis). For g = h it is the rotated point itself, with the weight

@@ -18,6 +18,7 @@
 #include <span>
 #include <utility>
 
+#include "torse/algebra/triple.hpp"
 #include "torse/spline/piece_polynomials.hpp"
 
 namespace torse {
@@ -70,16 +71,6 @@ namespace detail {
 template <ExactField S>
 using PolynomialVector = std::array<Polynomial<S>, 3>;
 
-template <ExactField S>
-Polynomial<S> dot(const PolynomialVector<S>& a, const PolynomialVector<S>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <ExactField S>
-PolynomialVector<S> cross(const PolynomialVector<S>& a, const PolynomialVector<S>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Divides a vector by a polynomial that divides it; zero stays.
 template <ExactField S>
 PolynomialVector<S> quotient(PolynomialVector<S> a, const Polynomial<S>& factor) {
@@ -93,7 +84,7 @@ template <ExactField S>
 Polynomial<S> square_without(const PolynomialVector<S>& a, const Polynomial<S>& factor) {
   if (factor.zero()) return Polynomial<S>(1);
   const PolynomialVector<S> rest = quotient<S>(a, factor);
-  return dot<S>(rest, rest);
+  return dot(rest, rest);
 }
 
 /// w^2 times the derivative of the curve with the homogeneous row p = w (1, c).
@@ -129,14 +120,14 @@ StripForms<S> strip_forms(const KnotList<S>& u, std::span<const Vec<S, 4>> p, st
   for (std::size_t j = 0; j < 3; ++j) w[j] = c[0] * d[j + 1] - d[0] * c[j + 1];
   const Polynomial<S> gap = common_divisor(w);
   w = quotient<S>(w, gap);
-  PolynomialVector<S> x = cross<S>(a, w);
-  PolynomialVector<S> y = cross<S>(b, w);
+  PolynomialVector<S> x = cross(a, w);
+  PolynomialVector<S> y = cross(b, w);
   const Polynomial<S> across = gcd(common_divisor(x), common_divisor(y));
   x = quotient<S>(x, across);
   y = quotient<S>(y, across);
   PolynomialVector<S> slope = w;
   for (Polynomial<S>& f : slope) f = f.derivative();
-  const PolynomialVector<S> spin = cross<S>(slope, w);
+  const PolynomialVector<S> spin = cross(slope, w);
   const std::array<Polynomial<S>, 4> factors{common_divisor(a), common_divisor(b), common_divisor(x),
                                              common_divisor(y)};
   const Polynomial<S> w2 = c[0] * c[0];
@@ -146,21 +137,21 @@ StripForms<S> strip_forms(const KnotList<S>& u, std::span<const Vec<S, 4>> p, st
   return {Strip<Polynomial<S>>{.w = c[0],
                                .omega = d[0],
                                .gap = gap,
-                               .ruling2 = dot<S>(w, w),
+                               .ruling2 = dot(w, w),
                                .speed_c = factors[0],
                                .speed_c2 = square_without<S>(a, factors[0]),
                                .speed_d = factors[1],
                                .speed_d2 = square_without<S>(b, factors[1]),
-                               .along = dot<S>(a, w),
+                               .along = dot(a, w),
                                .across = across,
                                .across_c = factors[2],
                                .across_c2 = square_without<S>(x, factors[2]),
                                .across_d = factors[3],
                                .across_d2 = square_without<S>(y, factors[3]),
-                               .turn_c = dot<S>(spin, x),
-                               .turn_d = dot<S>(spin, y),
-                               .spin2 = dot<S>(spin, spin),
-                               .fold = dot<S>(x, y)},
+                               .turn_c = dot(spin, x),
+                               .turn_d = dot(spin, y),
+                               .spin2 = dot(spin, spin),
+                               .fold = dot(x, y)},
           std::move(w), std::move(normal)};
 }
 

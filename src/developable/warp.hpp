@@ -9,6 +9,7 @@
 #include <span>
 
 #include "torse/algebra/determinant.hpp"
+#include "torse/algebra/triple.hpp"
 #include "torse/spline/basis.hpp"
 #include "torse/spline/blossom.hpp"
 
@@ -17,18 +18,6 @@ namespace torse {
 /// Three coordinates as forms of equal degree.
 template <Ring S>
 using FormVector = std::array<BinaryForm<S>, 3>;
-
-/// a . b.
-template <Ring S>
-BinaryForm<S> form_dot(const FormVector<S>& a, const FormVector<S>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// a x b.
-template <Ring S>
-FormVector<S> form_cross(const FormVector<S>& a, const FormVector<S>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Multiples of c', d - c and d' on a piece; the factors are positive constants, or polynomials for rational surfaces.
 template <Ring S>
@@ -84,9 +73,9 @@ struct SineForms {
 ///   |m x n|^2 = |w|^2 [a, w, b]^2,   m . n = (a.b)(w.w) - (a.w)(b.w),   |m|^2 |n|^2 = (m . n)^2 + |m x n|^2.
 template <Ring S>
 SineForms<S> sine_forms(const RulingForms<S>& f) {
-  const BinaryForm<S> w2 = form_dot(f.w, f.w);
-  const BinaryForm<S> det = form_dot(form_cross(f.a, f.b), f.w);
-  const BinaryForm<S> cosine = form_dot(f.a, f.b) * w2 - form_dot(f.a, f.w) * form_dot(f.b, f.w);
+  const BinaryForm<S> w2 = dot(f.w, f.w);
+  const BinaryForm<S> det = dot(cross(f.a, f.b), f.w);
+  const BinaryForm<S> cosine = dot(f.a, f.b) * w2 - dot(f.a, f.w) * dot(f.b, f.w);
   BinaryForm<S> numerator = w2 * (det * det);
   BinaryForm<S> denominator = cosine * cosine + numerator;
   return {std::move(numerator), std::move(denominator)};
@@ -95,14 +84,14 @@ SineForms<S> sine_forms(const RulingForms<S>& f) {
 /// c' x (d - c) and d' x (d - c), up to positive factors.
 template <Ring S>
 std::array<FormVector<S>, 2> normal_forms(const RulingForms<S>& f) {
-  return {form_cross(f.a, f.w), form_cross(f.b, f.w)};
+  return {cross(f.a, f.w), cross(f.b, f.w)};
 }
 
 /// From the normals m and n, or any multiples of them: |m x n|^2 / (|m|^2 |n|^2).
 template <Ring S>
 SineForms<S> sine_forms(const FormVector<S>& m, const FormVector<S>& n) {
-  const FormVector<S> product = form_cross(m, n);
-  return {form_dot(product, product), form_dot(m, m) * form_dot(n, n)};
+  const FormVector<S> product = cross(m, n);
+  return {dot(product, product), dot(m, m) * dot(n, n)};
 }
 
 /// sin^2 of the warp angle at the parameter t of piece k from points and derivatives of the curves: BZZ19's |w|^2 [a,

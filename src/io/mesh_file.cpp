@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdint>
 
+#include "torse/algebra/triple.hpp"
 #include "torse/io/bytes.hpp"
 #include "torse/io/text.hpp"
 #include "torse/scalar/errors.hpp"
@@ -39,7 +40,7 @@ void append_vectors(std::string& text, const char* key, const std::vector<MeshVe
 MeshVector facet_normal(const MeshVector& p, const MeshVector& q, const MeshVector& r) {
   const MeshVector a{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   const MeshVector b{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-  const MeshVector n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const MeshVector n = cross(a, b);
   const double length = std::hypot(n[0], n[1], n[2]);
   if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
   return {n[0] / length, n[1] / length, n[2] / length};
