@@ -1,6 +1,7 @@
 #include "torse/fuzz/properties.hpp"
 
 #include "torse/fuzz/properties/double_net.hpp"
+#include "torse/fuzz/properties/double_rows.hpp"
 #include "torse/fuzz/properties/file_text.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
 #include "torse/fuzz/properties/refused_file.hpp"
@@ -13,6 +14,7 @@ const std::vector<const Property*>& properties() {
   // clang-format off
   static const std::vector<const Property*> list{
       &property<DoubleNetProperty>(),
+      &property<DoubleRows>(),
       &property<FileText>(),
       &property<NumberText>(),
       &property<RefusedFile>(),

@@ -6,7 +6,7 @@
 #include "torse/developable/condition.hpp"
 #include "torse/developable/linear_net.hpp"
 #include "torse/exact/decide/decide.hpp"
-#include "torse/exact/instrumented/running_error.hpp"
+#include "torse/fuzz/properties/lifted.hpp"
 
 namespace torse::fuzz {
 namespace {
@@ -14,46 +14,14 @@ namespace {
 template <class S>
 using Row = std::vector<Vec<S, 3>>;
 
-/// The same numbers in another arithmetic.
 template <class S>
-struct Lifted {
-  KnotList<S> u;
-  Row<S> c;
-};
-
-template <class S>
-S lift(double x) {
-  if constexpr (std::same_as<S, double>) {
-    return x;
-  } else {
-    return S::from_double(x);
-  }
-}
-
-template <class S>
-Vec<S, 3> lift_point(const Vec<double, 3>& x) {
-  return Vec<S, 3>(lift<S>(x[0]), lift<S>(x[1]), lift<S>(x[2]));
-}
-
-template <class S>
-Row<S> lift_row(const Row<double>& row) {
-  Row<S> lifted;
-  lifted.reserve(row.size());
-  for (const Vec<double, 3>& x : row) lifted.push_back(lift_point<S>(x));
-  return lifted;
-}
-
-template <class S>
-KnotList<S> lift_knots(const DoubleNet& net) {
-  std::vector<S> list;
-  list.reserve(net.knots.size());
-  for (const double knot : net.knots) list.push_back(lift<S>(knot));
-  return KnotList<S>(net.degree, std::move(list));
+KnotList<S> knots_of(const DoubleNet& net) {
+  return lift_knots<S>(net.degree, net.knots);
 }
 
 template <class S>
 Row<S> second_row(const DoubleNet& net, const KnotList<S>& u, const Row<S>& c) {
-  return linear_net<S, Vec<S, 3>>(u, c, lift<S>(net.lambda), lift<S>(net.m), lift_point<S>(net.d0));
+  return linear_net<S, Vec<S, 3>>(u, c, lift<S>(net.lambda), lift<S>(net.m), lift_point<S, 3>(net.d0));
 }
 
 template <class S>
@@ -62,29 +30,12 @@ S determinant(const KnotList<S>& u, const Row<S>& c, const Row<S>& d, const Doub
   return pointwise_determinant<S>(u, c, d, in.piece, begin + (u.piece_end(in.piece) - begin) * lift<S>(in.share));
 }
 
-bool same_bits(double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); }
-
-bool all_known(const Row<RunningError>& row) {
-  for (const Vec<RunningError, 3>& x : row) {
-    for (int j = 0; j < 3; ++j) {
-      if (!std::isfinite(x[j].bound())) return false;
-    }
-  }
-  return true;
-}
-
 /// The exact net has its vertices within the bounds of the computed one and is developable.
 void check_exactly(const DoubleNet& net, const Row<RunningError>& computed) {
-  const auto u = lift_knots<Rational>(net);
-  const Row<Rational> c = lift_row<Rational>(net.c);
+  const auto u = knots_of<Rational>(net);
+  const Row<Rational> c = lift_row<Rational, 3>(net.c);
   const Row<Rational> d = second_row<Rational>(net, u, c);
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const Rational error = d[i][j] - Rational::from_double(computed[i][j].value());
-      const Rational bound = Rational::from_double(computed[i][j].bound());
-      require(error <= bound && -error <= bound, "a vertex is farther from the exact one than its bound");
-    }
-  }
+  require_within<3>(computed, d);
   require(!find_witness<Rational, 3>(u, c, d), "the exact net is not developable");
 }
 
@@ -93,14 +44,14 @@ void check_moved(const DoubleNetProperty::In& in, Row<double> d, Labels& labels)
   double& x = d[static_cast<std::size_t>(in.moved / 3)][in.moved % 3];
   x += in.shift * (x == 0 ? 1 : std::abs(x));
   if (!std::isfinite(x)) return;
-  const auto u = lift_knots<RunningError>(in.net);
-  const auto det = determinant<RunningError>(u, lift_row<RunningError>(in.net.c), lift_row<RunningError>(d), in);
+  const auto u = knots_of<RunningError>(in.net);
+  const auto det = determinant<RunningError>(u, lift_row<RunningError, 3>(in.net.c), lift_row<RunningError, 3>(d), in);
   const bool refuted = is_zero(det) == Truth::no;
   labels.add("moved", refuted ? "refuted by the bound" : "decided exactly");
   if (refuted && !in.exact) return;
-  const auto exact = lift_knots<Rational>(in.net);
-  const Row<Rational> c = lift_row<Rational>(in.net.c);
-  const Row<Rational> q = lift_row<Rational>(d);
+  const auto exact = knots_of<Rational>(in.net);
+  const Row<Rational> c = lift_row<Rational, 3>(in.net.c);
+  const Row<Rational> q = lift_row<Rational, 3>(d);
   const bool developable = !find_witness_over_q<3>(exact, c, q);
   require(!refuted || !developable, "a determinant whose bound excludes zero, of a developable net");
   require(!developable || is_zero(determinant<Rational>(exact, c, q, in)) == Truth::yes,
@@ -141,22 +92,20 @@ DoubleNetProperty::In DoubleNetProperty::draw(Choices& choices, const Scale& sca
 }
 
 void DoubleNetProperty::check(const In& in, Labels& labels) {
-  const auto u = lift_knots<RunningError>(in.net);
+  const auto u = knots_of<RunningError>(in.net);
   if (std::find(in.net.knots.begin(), in.net.knots.end(), in.net.m) != in.net.knots.end()) {
     try {
-      second_row<double>(in.net, lift_knots<double>(in.net), in.net.c);
+      second_row<double>(in.net, knots_of<double>(in.net), in.net.c);
     } catch (const InvalidInput& error) {
       return require(error.place() == "M", "M* at a knot is reported elsewhere");
     }
     throw Failed("M* at a knot is not refused");
   }
-  const Row<RunningError> c = lift_row<RunningError>(in.net.c);
+  const Row<RunningError> c = lift_row<RunningError, 3>(in.net.c);
   const Row<RunningError> d = second_row<RunningError>(in.net, u, c);
-  const Row<double> rounded = second_row<double>(in.net, lift_knots<double>(in.net), in.net.c);
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    for (int j = 0; j < 3; ++j) require(same_bits(rounded[i][j], d[i][j].value()), "not what double computes");
-  }
-  if (!all_known(d)) return labels.add("verdict", "beyond the range of doubles");
+  const Row<double> rounded = second_row<double>(in.net, knots_of<double>(in.net), in.net.c);
+  require_same<3>(d, rounded);
+  if (!all_known<3>(d)) return labels.add("verdict", "beyond the range of doubles");
   if (in.moved >= 0) return check_moved(in, rounded, labels);
   labels.add("verdict", "within the bound");
   const bool suspect = is_zero(determinant<RunningError>(u, c, d, in)) == Truth::no;
