@@ -26,13 +26,6 @@ std::vector<Row4> rows_of(const std::vector<Rational>& weights, const std::vecto
   return rows;
 }
 
-/// a x + b y.
-Row4 blend(const Rational& a, const Row4& x, const Rational& b, const Row4& y) {
-  Row4 z;
-  for (int j = 0; j < 4; ++j) z[j] = a * x[j] + b * y[j];
-  return z;
-}
-
 Draft start(Choices& choices, const Scale& scale, Weights weights, const char* made) {
   Draft draft{draw_knots(choices, scale)};
   draft.p = draw_rows(choices, scale, draft.knots.last() + 1, weights);
@@ -63,6 +56,25 @@ std::vector<Row4> tangent_row(const plain::Pieces<4>& r, const KnotList<Rational
 }
 
 }  // namespace
+
+Row4 blend(const Rational& a, const Row4& x, const Rational& b, const Row4& y) {
+  Row4 z;
+  for (int j = 0; j < 4; ++j) z[j] = a * x[j] + b * y[j];
+  return z;
+}
+
+std::vector<Row4> cell_row(const KnotList<Rational>& u, const std::vector<Row4>& p, const Functions& f,
+                           const Row4& q0) {
+  const int n = u.degree();
+  std::vector<Row4> q{q0};
+  for (int i = 0; i < u.last(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const Row4 side = blend(u[i + n] - f.lambda, p[at], f.lambda - u[i], p[at + 1]);
+    const Rational width = f.m - u[i];
+    q.push_back(blend(Rational(1) / (f.sigma * width), side, (f.m - u[i + n]) / width, q[at]));
+  }
+  return q;
+}
 
 std::vector<Row4> draw_rows(Choices& choices, const Scale& scale, int count, Weights weights) {
   const std::vector<Rational> w = draw_weights_of(choices, scale, count, weights);
@@ -123,18 +135,10 @@ Draft draft_cone(Choices& choices, const Scale& scale, Weights weights) {
 
 Draft draft_linear(Choices& choices, const Scale& scale, Weights weights) {
   Draft draft = start(choices, scale, weights, "linear");
-  const KnotList<Rational>& u = draft.knots;
-  const int n = u.degree();
-  const Functions f = draw_functions(choices, scale, u, weights != Weights::one);
+  const Functions f = draw_functions(choices, scale, draft.knots, weights != Weights::one);
   draft.functions = f;
   draft.common_point = f.lambda == f.m;
-  draft.q = draw_rows(choices, scale, 1, weights);
-  for (int i = 0; i < u.last(); ++i) {
-    const std::size_t at = static_cast<std::size_t>(i);
-    const Row4 side = blend(u[i + n] - f.lambda, draft.p[at], f.lambda - u[i], draft.p[at + 1]);
-    const Rational width = f.m - u[i];
-    draft.q.push_back(blend(Rational(1) / (f.sigma * width), side, (f.m - u[i + n]) / width, draft.q[at]));
-  }
+  draft.q = cell_row(draft.knots, draft.p, f, draw_rows(choices, scale, 1, weights).front());
   return draft;
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "torse/fuzz/draw/classes.hpp"
+#include "torse/fuzz/draw/disguise.hpp"
+#include "torse/fuzz/draw/joined.hpp"
 #include "torse/fuzz/draw/knots.hpp"
 #include "torse/fuzz/draw/numbers.hpp"
 #include "torse/fuzz/draw/weights.hpp"
@@ -18,17 +19,11 @@ constexpr int tries = 8;
 using Drafting = Draft (*)(Choices&, const Scale&, Weights);
 
 /// What a developable net is made by; the first is the simplest.
-constexpr std::initializer_list<Drafting> developable_drafts = {draft_plane,  draft_cylinder, draft_cone, draft_linear,
-                                                                draft_edge,   draft_linear,   draft_edge, draft_line,
-                                                                draft_linear, draft_cone,     draft_edge, draft_curve};
+constexpr std::initializer_list<Drafting> developable_drafts = {draft_plane, draft_cylinder, draft_cone, draft_linear,
+                                                                draft_edge,  draft_joined,   draft_line, draft_cylinder,
+                                                                draft_cone,  draft_linear,   draft_edge, draft_curve};
 /// What near-misses are made of: nets that a move of a few coordinates makes twisted.
 constexpr std::initializer_list<Drafting> missed_drafts = {draft_cylinder, draft_cone, draft_linear, draft_edge};
-
-bool fits(const Draft& draft, Weights weights) {
-  if (weights == Weights::any) return true;
-  const auto good = [&](const Row4& x) { return weights == Weights::one ? x[0] == Rational(1) : x[0].sign() != 0; };
-  return std::all_of(draft.p.begin(), draft.p.end(), good) && std::all_of(draft.q.begin(), draft.q.end(), good);
-}
 
 Draft draw_draft(Choices& choices, const Scale& scale, Weights weights, std::initializer_list<Drafting> list) {
   for (int i = 0; i < tries; ++i) {
@@ -59,7 +54,8 @@ Net<D> developable_net(const Draft& draft) {
           .klass = std::string(truth.name),
           .made = draft.made,
           .common = truth.common,
-          .functions = draft.functions};
+          .functions = draft.functions,
+          .disguise = draft.disguise};
 }
 
 template <int D>
@@ -70,7 +66,8 @@ Net<D> twisted_net(const Draft& draft, int miss) {
           .developable = false,
           .klass = "none",
           .made = draft.made,
-          .miss = miss};
+          .miss = miss,
+          .disguise = draft.disguise};
 }
 
 bool is_refuted(const Draft& draft) { return plain::refuted(plain::strip_of(draft.knots, draft.p, draft.q)); }
@@ -92,17 +89,32 @@ Draft missed(Choices& choices, Draft draft, int k) {
   throw Discard("the moved net is developable");
 }
 
+/// A twisted draft disguised: as it is if only a part that is developable would be left.
+Draft disguised(Choices& choices, const Scale& scale, Weights weights, const Draft& draft) {
+  Draft next = draft;
+  disguise(choices, scale, weights, next);
+  return is_refuted(next) ? next : draft;
+}
+
 template <int D>
 Net<D> draw_near_miss(Choices& choices, const Scale& scale, Weights weights) {
   const int k = 1 + choices.between(0, choices.pick({16, 60, 25 * scale.bits}));
-  return twisted_net<D>(missed(choices, draw_draft(choices, scale, weights, missed_drafts), k), k);
+  Draft draft = missed(choices, draw_draft(choices, scale, weights, missed_drafts), k);
+  return twisted_net<D>(disguised(choices, scale, weights, draft), k);
 }
 
 template <int D>
 Net<D> draw_free(Choices& choices, const Scale& scale, Weights weights) {
   Draft draft = draw_draft(choices, scale, weights, {draft_free});
   if (!is_refuted(draft)) draft = missed(choices, std::move(draft), 0);
-  return twisted_net<D>(draft, 0);
+  return twisted_net<D>(disguised(choices, scale, weights, draft), 0);
+}
+
+template <int D>
+Net<D> draw_developable(Choices& choices, const Scale& scale, Weights weights) {
+  Draft draft = draw_draft(choices, scale, weights, developable_drafts);
+  disguise(choices, scale, weights, draft);
+  return developable_net<D>(draft);
 }
 
 template <int D>
@@ -113,7 +125,7 @@ Net<D> draw_any(Choices& choices, const Scale& scale, Weights weights) {
     case 7:
       return draw_free<D>(choices, scale, weights);
     default:
-      return developable_net<D>(draw_draft(choices, scale, weights, developable_drafts));
+      return draw_developable<D>(choices, scale, weights);
   }
 }
 
@@ -130,6 +142,11 @@ void add_labels(Labels& labels, const Net<D>& net) {
   labels.add("pieces", static_cast<int>(net.knots.proper_pieces().size()));
   labels.add("knots", std::string(knot_kind(net.knots)));
   labels.add("miss", std::string(bits_of_miss(net.miss)));
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+    end = net.disguise.find('+', begin);
+    labels.add("disguise", net.disguise.empty() ? "none" : net.disguise.substr(begin, end - begin));
+  }
 }
 
 }  // namespace
@@ -141,11 +158,11 @@ Net<4> draw_rational_net(Choices& choices, const Scale& scale) { return draw_any
 Net<4> draw_row_net(Choices& choices, const Scale& scale) { return draw_any<4>(choices, scale, Weights::any); }
 
 Net<3> draw_developable_net(Choices& choices, const Scale& scale) {
-  return developable_net<3>(draw_draft(choices, scale, Weights::one, developable_drafts));
+  return draw_developable<3>(choices, scale, Weights::one);
 }
 
 Net<4> draw_developable_rational_net(Choices& choices, const Scale& scale) {
-  return developable_net<4>(draw_draft(choices, scale, Weights::nonzero, developable_drafts));
+  return draw_developable<4>(choices, scale, Weights::nonzero);
 }
 
 Net<4> with_weights(const Net<3>& net) {
@@ -155,7 +172,8 @@ Net<4> with_weights(const Net<3>& net) {
               .made = net.made,
               .miss = net.miss,
               .common = net.common,
-              .functions = net.functions};
+              .functions = net.functions,
+              .disguise = net.disguise};
   for (const Point3& x : net.c) rows.c.emplace_back(Rational(1), x[0], x[1], x[2]);
   for (const Point3& x : net.d) rows.d.emplace_back(Rational(1), x[0], x[1], x[2]);
   return rows;

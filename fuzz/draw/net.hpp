@@ -25,7 +25,7 @@ struct Net {
   bool developable = true;
   /// The word of src/developable/classify.hpp: "plane", "cylinder", "cone", "tangent", "none".
   std::string klass{};
-  /// How it was made: "plane", "cylinder", "cone", "linear", "edge", "curve", "line", "free".
+  /// How it was made: "plane", "cylinder", "cone", "linear", "edge", "joined", "curve", "line", "free".
   std::string made{};
   /// k of a near-miss: some coordinates were moved by about 2^-k of their size; 0 for others.
   int miss = 0;
@@ -33,6 +33,8 @@ struct Net {
   std::optional<Row4> common{};
   /// Lambda*, M*, sigma where they are constants by construction: p[.., Lambda*] = sigma q[.., M*] on all pieces.
   std::optional<Functions> functions{};
+  /// How it was rewritten since (draw/disguise.hpp): words joined by '+', or nothing.
+  std::string disguise{};
 
   template <class Self, class Visitor>
   static void fields(Self& in, Visitor& visit) {
@@ -45,6 +47,7 @@ struct Net {
     visit("miss", in.miss);
     visit("common", in.common);
     visit("functions", in.functions);
+    visit("disguise", in.disguise);
   }
 };
 
@@ -65,7 +68,8 @@ Net<4> with_weights(const Net<3>& net);
 std::vector<Rational> weights_of(const Net<4>& net);
 
 /// "class", "made", "degree", "pieces", "knots" (knot_kind), "polygon" (polygon_kind of c, where it has points),
-/// "weights" (weight_kind), "miss" (by how many bits).
+/// "weights" (weight_kind), "miss" (by how many bits),
+/// "disguise" (each, or "none").
 void add_net_labels(Labels& labels, const Net<3>& net);
 void add_net_labels(Labels& labels, const Net<4>& net);
 

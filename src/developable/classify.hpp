@@ -124,7 +124,8 @@ class RowsSeenFrom {
 ///   tangent    neither: a tangent surface on some piece, or pieces of different planes, cylinders or cones
 /// Where p and q are proportional for every parameter the rulings have length zero and there is no surface; such a
 /// piece belongs to every class, and a spline that consists of such pieces only and is not planar counts as a cylinder
-/// without a direction. Throws Undecided where the field cannot decide a zero.
+/// without a direction. If it has other rulings too and all of those lie on one line, it is a cylinder along that line.
+/// Throws Undecided where the field cannot decide a zero.
 template <Field S>
 Classification<S> classify(const KnotList<S>& u, std::span<const Vec<S, 4>> p, std::span<const Vec<S, 4>> q) {
   const std::vector<int> pieces = u.proper_pieces();
@@ -152,8 +153,13 @@ Classification<S> classify(const KnotList<S>& u, std::span<const Vec<S, 4>> p, s
   if (incidence.rank() == 4) return {SurfaceClass::tangent};
   if (incidence.rank() == 0) return {SurfaceClass::cylinder};
 
-  // Two common points would put all rulings on one line and the surface into a plane, so the kernel is one point.
-  const Vec<S, 4> common = incidence.kernel().front();
+  // Two common points put all rulings that have a length on one line. The surface is not planar only if it has curves
+  // of rulings without length besides; it is a cylinder along that line.
+  const std::vector<Vec<S, 4>> kernel = incidence.kernel();
+  Vec<S, 4> common = kernel.front();
+  if (kernel.size() == 2 && !definitely(is_zero(kernel[0][0]))) {
+    common = combine(S(kernel[1][0]), kernel[0], -kernel[0][0], kernel[1]);
+  }
   Vec<S, 3> finite(common[1], common[2], common[3]);
   if (!definitely(is_zero(common[0]))) {
     divide(finite, S(common[0]));

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "torse/developable/condition.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/spline/curve.hpp"
@@ -198,6 +201,29 @@ TEST(Classify, DegenerateNets) {
   EXPECT_EQ(net(one, std::vector<Point3>(4, point(0, 2, 3))).classified().kind, SurfaceClass::plane);
   EXPECT_EQ(net({point(0, 0, 0), point(1, 1, 1)}, {point(2, 2, 2), point(5, 5, 5)}).classified().kind,
             SurfaceClass::plane);
+}
+
+TEST(Classify, RulingsOnOneLineAndACurveAreACylinderAlongTheLineHoweverTheAxesAreNamed) {
+  std::array<int, 3> axis{0, 1, 2};
+  do {
+    const auto named = [&](int x, int y, int z) {
+      Point3 renamed;
+      renamed[axis[0]] = Q(x);
+      renamed[axis[1]] = Q(y);
+      renamed[axis[2]] = Q(z);
+      return renamed;
+    };
+    const std::vector<Point3> curve{named(4, 1, 1), named(2, 1, 0), named(3, 0, 1)};
+    const std::vector<Q> ones(5, Q(1));
+    const Net joined{two_pieces,
+                     {{named(0, 1, 1), named(1, 1, 1), curve[0], curve[1], curve[2]}, ones},
+                     {{named(1, 1, 1), named(3, 1, 1), curve[0], curve[1], curve[2]}, ones}};
+    EXPECT_TRUE(joined.developable());
+    const Classification<Q> found = joined.classified();
+    EXPECT_EQ(found.kind, SurfaceClass::cylinder);
+    ASSERT_TRUE(found.direction.has_value());
+    EXPECT_TRUE(*found.direction == named(1, 0, 0));
+  } while (std::next_permutation(axis.begin(), axis.end()));
 }
 
 TEST(Classify, EveryClassHasItsWord) {

@@ -16,7 +16,7 @@
 namespace torse::fuzz {
 namespace {
 
-constexpr int draws = 250;
+constexpr int draws = 150;
 
 /// Calls `visit(net)` for many drawn nets; too many discards are an error.
 template <class Draw, class Visit>
@@ -68,7 +68,7 @@ TEST(Net, TheRationalTruthIsConfirmed) {
   for_many(draw_row_net, {}, draws, expect_truth);
 }
 
-TEST(Net, LargerNetsAreAsTrue) { for_many(draw_rational_net, scale_of(proofs::Effort::standard), 40, expect_truth); }
+TEST(Net, LargerNetsAreAsTrue) { for_many(draw_rational_net, scale_of(proofs::Effort::standard), 20, expect_truth); }
 
 TEST(Net, ConstantFunctionsAreThoseOfTheNet) {
   int met = 0;
@@ -89,7 +89,7 @@ TEST(Net, ConstantFunctionsAreThoseOfTheNet) {
       }
     }
   });
-  EXPECT_GT(met, draws / 4);
+  EXPECT_GT(met, draws / 6);
 }
 
 TEST(Net, EveryKindIsMet) {
@@ -101,17 +101,18 @@ TEST(Net, EveryKindIsMet) {
   };
   for_many(draw_net, {}, draws, collect);
   for_many(draw_row_net, {}, draws, collect);
-  for (const char* label : {"class=plane",      "class=cylinder",   "class=cone",      "class=tangent",
-                            "class=none",       "made=plane",       "made=cylinder",   "made=cone",
-                            "made=linear",      "made=edge",        "made=curve",      "made=line",
-                            "made=free",        "knots=bezier",     "knots=extreme",   "knots=full",
-                            "knots=repeated",   "knots=clamped",    "knots=unclamped", "knots=mixed",
-                            "polygon=point",    "polygon=line",     "polygon=plane",   "polygon=coincident",
-                            "polygon=huge",     "polygon=tiny",     "polygon=dyadic",  "polygon=integer",
-                            "polygon=fraction", "weights=zero",     "weights=one",     "weights=negative",
-                            "weights=extreme",  "weights=positive", "miss=none",       "miss=to 20",
-                            "miss=to 60",       "miss=beyond 60",   "degree=1",        "degree=2",
-                            "degree=3",         "pieces=1",         "pieces=2",        "pieces=3"}) {
+  for (const char* label :
+       {"class=plane",        "class=cylinder",   "class=cone",       "class=tangent",   "class=none",
+        "made=plane",         "made=cylinder",    "made=cone",        "made=linear",     "made=edge",
+        "made=curve",         "made=joined",      "disguise=none",    "disguise=knots",  "disguise=swap",
+        "disguise=parameter", "disguise=degree",  "disguise=part",    "disguise=mix",    "disguise=map",
+        "disguise=moebius",   "disguise=factors", "made=line",        "made=free",       "knots=bezier",
+        "knots=extreme",      "knots=full",       "knots=repeated",   "knots=clamped",   "knots=unclamped",
+        "knots=mixed",        "polygon=point",    "polygon=line",     "polygon=plane",   "polygon=coincident",
+        "polygon=huge",       "polygon=tiny",     "polygon=dyadic",   "polygon=integer", "polygon=fraction",
+        "weights=zero",       "weights=one",      "weights=negative", "weights=extreme", "weights=positive",
+        "miss=none",          "miss=to 20",       "miss=to 60",       "miss=beyond 60",  "degree=1",
+        "degree=2",           "degree=3",         "pieces=1",         "pieces=2",        "pieces=3"}) {
     EXPECT_TRUE(met.contains(label)) << label;
   }
 }
