@@ -7,6 +7,8 @@
 #include "torse/fuzz/properties/refused_file.hpp"
 #include "torse/fuzz/properties/scrambled_file.hpp"
 #include "torse/fuzz/properties/spelling.hpp"
+#include "torse/fuzz/properties/verdict_invariance.hpp"
+#include "torse/fuzz/properties/verdict_truth.hpp"
 
 namespace torse::fuzz {
 
@@ -20,6 +22,10 @@ const std::vector<const Property*>& properties() {
       &property<RefusedFile>(),
       &property<ScrambledFile>(),
       &property<Spelling>(),
+      &property<VerdictInvariance<3>>(),
+      &property<VerdictInvariance<4>>(),
+      &property<VerdictTruth<3>>(),
+      &property<VerdictTruth<4>>(),
   };
   // clang-format on
   return list;
