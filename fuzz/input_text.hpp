@@ -1,4 +1,5 @@
 // Inputs of properties as JSON objects, so that a failing case needs no random numbers to run again.
+//   HasFields                    what can be written and read
 //   write_input, read_input      an input as a JSON object and back, number for number
 //   Bytes                        any text, valid UTF-8 or not; in JSON as hexadecimal digits
 // An input is an aggregate In with default values and
@@ -27,9 +28,24 @@ struct Bytes {
   friend bool operator==(const Bytes&, const Bytes&) = default;
 };
 
+namespace detail {
+
+struct AnyField {
+  template <class T>
+  void operator()(std::string_view, T&) const {}
+};
+
+}  // namespace detail
+
+/// An aggregate whose members are fields.
 template <class In>
+concept HasFields = requires(In& in, const detail::AnyField& visit) {
+  In::fields(in, visit);
+};
+
+template <HasFields In>
 std::string write_input(const In& in);
-template <class In>
+template <HasFields In>
 In read_input(const Value& value);
 
 namespace detail {
@@ -128,7 +144,7 @@ struct Field<KnotList<Rational>> {
 }  // namespace detail
 
 /// {"name": value, ...} in the order of In's fields.
-template <class In>
+template <HasFields In>
 std::string write_input(const In& in) {
   std::string text;
   const auto visit = [&]<class T>(std::string_view name, const T& member) {
@@ -139,7 +155,7 @@ std::string write_input(const In& in) {
 }
 
 /// Throws FileError where a field is missing, of another type or unknown.
-template <class In>
+template <HasFields In>
 In read_input(const Value& value) {
   In in;
   std::vector<std::string_view> names;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,6 +83,12 @@ auto gen(Draw draw, Scale largest = {}) {
       return draw_at_scale(again);
     });
   });
+}
+
+/// How RapidCheck shows a case: as the JSON of its input.
+template <HasFields In>
+void showValue(const In& in, std::ostream& out) {
+  out << write_input(in);
 }
 
 /// A property as something that rc::check runs. The case goes through its file, as a saved one does.

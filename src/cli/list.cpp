@@ -1,4 +1,4 @@
-// torse list: the claims, or the engines, with their titles.
+// torse list: the claims, the engines or the properties, with their titles.
 #include <fmt/format.h>
 
 #include <memory>
@@ -7,6 +7,7 @@
 #include "torse/cli/claims.hpp"
 #include "torse/cli/command.hpp"
 #include "torse/cli/terminal.hpp"
+#include "torse/fuzz/properties.hpp"
 #include "torse/io/file.hpp"
 #include "torse/proofs/engines/engine.hpp"
 #include "torse/proofs/table.hpp"
@@ -18,6 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct ListOptions {
   bool engines = false;
+  bool properties = false;
   std::vector<std::string> papers;
   std::string json;
 };
@@ -34,18 +36,26 @@ int run_list(const ListOptions& options) {
   require_known("--paper", options.papers, paper_ids());
   Json claims = Json::array();
   Json engines = Json::array();
+  Json properties = Json::array();
   std::string text;
   for (const proofs::ClaimInfo* info : proofs::all_claims()) {
     if (!chosen(options, *info)) continue;
     claims.push_back({{"id", info->id}, {"paper", info->paper()}, {"source", info->source}, {"title", info->title}});
-    if (!options.engines) text += fmt::format("{:<11} {:<28} {}\n", info->id, info->source, info->title);
+    if (!options.engines && !options.properties)
+      text += fmt::format("{:<11} {:<28} {}\n", info->id, info->source, info->title);
   }
   for (const proofs::Engine& engine : proofs::engines()) {
     engines.push_back({{"name", engine.name}, {"scalar", engine.scalar}, {"may_say", engine.may_say}});
     if (options.engines) text += fmt::format("{:<9} {}: {}\n", engine.name, engine.scalar, engine.may_say);
   }
+  for (const fuzz::Property* property : fuzz::properties()) {
+    const fuzz::PropertyInfo& info = property->info();
+    properties.push_back({{"name", info.name}, {"statement", info.statement}, {"cases_per_seed", info.batch}});
+    if (options.properties) text += fmt::format("{:<24} {}\n", info.name, info.statement);
+  }
   if (!options.json.empty()) {
-    write_file(options.json, Json{{"torse", 1}, {"claims", claims}, {"engines", engines}}.dump(1) + "\n");
+    const Json report{{"torse", 1}, {"claims", claims}, {"engines", engines}, {"properties", properties}};
+    write_file(options.json, report.dump(1) + "\n");
   }
   if (options.json != "-") Terminal(stdout).print(text);
   return exit_code::success;
@@ -56,6 +66,7 @@ int run_list(const ListOptions& options) {
 std::function<int()> define_list(CLI::App& app) {
   const auto options = std::make_shared<ListOptions>();
   app.add_flag("--engines", options->engines, "the engines instead of the claims");
+  app.add_flag("--properties", options->properties, "the properties of torse campaign instead of the claims");
   app.add_option("--paper", options->papers, "only this paper's claims (repeatable)");
   app.add_option("--json", options->json, "write the list as JSON, - for standard output");
   return [options] { return run_list(*options); };
