@@ -1,6 +1,7 @@
 // One list of members for each type; a Writer and a Reader go through it.
 #include "torse/io/cad_bytes.hpp"
 
+#include <concepts>
 #include <cstring>
 #include <type_traits>
 
@@ -28,10 +29,9 @@ class Reader {
     if (size > 0) std::memcpy(data, bytes_.data(), size);
     bytes_.remove_prefix(size);
   }
-  /// A size that the rest can hold: an element takes at least one byte.
-  std::size_t checked(std::size_t size) const {
+  /// Throws unless the rest can hold so many elements of at least one byte.
+  void require(std::size_t size) const {
     if (size > bytes_.size()) throw Error("cad_model: expected more bytes");
-    return size;
   }
   bool done() const { return bytes_.empty(); }
 
@@ -43,26 +43,39 @@ template <class A, class... T>
 void all(A& a, T&... members);
 
 template <class A, class T>
-requires std::is_arithmetic_v<T>
-void pass(A& a, T& x) { a.raw(&x, sizeof x); }
+requires(std::is_arithmetic_v<T> && !std::same_as<T, bool>) void pass(A& a, T& x) { a.raw(&x, sizeof x); }
+
+/// A byte, since a bool in memory has no other values than 0 and 1.
+template <class A>
+void pass(A& a, bool& x) {
+  unsigned char byte = x ? 1 : 0;
+  a.raw(&byte, sizeof byte);
+  if (byte > 1) throw Error("cad_model: expected 0 or 1");
+  x = byte == 1;
+}
 
 template <class A, class T>
-void pass_size(A& a, T& list) {
+std::size_t pass_size(A& a, T& list) {
   std::size_t size = list.size();
   a.raw(&size, sizeof size);
-  if constexpr (A::reads) list.resize(a.checked(size));
+  if constexpr (A::reads) a.require(size);
+  return size;
 }
 
 template <class A>
 void pass(A& a, std::string& text) {
-  pass_size(a, text);
+  text.resize(pass_size(a, text));
   a.raw(text.data(), text.size());
 }
 
+/// A list grows as its elements are read: the bytes that promise many do not make room for them.
 template <class A, class T>
 void pass(A& a, std::vector<T>& list) {
-  pass_size(a, list);
-  for (T& x : list) all(a, x);
+  const std::size_t size = pass_size(a, list);
+  for (std::size_t i = 0; i < size; ++i) {
+    if constexpr (A::reads) list.emplace_back();
+    all(a, list[i]);
+  }
 }
 
 template <class A, class T, std::size_t N>
@@ -90,6 +103,7 @@ void pass(A& a, std::variant<T...>& x) {
     all(a, std::get<U>(x));
   };
   (choose(std::type_identity<T>{}), ...);
+  if (index >= sizeof...(T)) throw Error("cad_model: expected the number of an alternative");
 }
 
 template <class A>

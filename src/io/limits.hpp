@@ -13,6 +13,8 @@ inline constexpr std::size_t depth = 32;
 inline constexpr std::size_t values = std::size_t{1} << 21;
 /// Keys of one object.
 inline constexpr std::size_t keys = 64;
+/// Spaces and ends of lines in a row.
+inline constexpr std::size_t blanks = std::size_t{1} << 20;
 /// Characters of one number.
 inline constexpr std::size_t number_characters = 1'000'000;
 /// The decimal exponent of a number, in absolute value.

@@ -170,6 +170,24 @@ class TreeBuilder : public Json::json_sax_t {
   std::vector<Node*> open_;
 };
 
+/// nlohmann's parser takes a null byte for the end of the text, and keeps the blanks that it skips to write them out,
+/// each as several characters, in an error.
+void require_plain(const std::string& file, std::string_view text) {
+  const auto fail = [&](std::size_t offset, const std::string& reason) {
+    const TextPosition at = position_of(text, offset);
+    throw FileError(file, "", at.line, at.column, reason);
+  };
+  std::size_t blanks = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    blanks = c == ' ' || c == '\n' || c == '\t' || c == '\r' ? blanks + 1 : 0;
+    if (c == '\0') fail(i, "expected JSON, found a null byte");
+    if (blanks > limits::blanks) {
+      fail(i, "expected at most " + std::to_string(limits::blanks) + " blanks in a row, found more");
+    }
+  }
+}
+
 }  // namespace
 
 TextPosition position_of(std::string_view text, std::size_t offset) {
@@ -180,6 +198,7 @@ TextPosition position_of(std::string_view text, std::size_t offset) {
 
 Node parse_json(const std::string& file, std::string_view text) {
   if (text.empty()) throw FileError(file, "expected JSON, found an empty file");
+  require_plain(file, text);
   TreeBuilder builder(file, text);
   const TellingIterator first(text.data(), builder.reached());
   const TellingIterator last(text.data() + text.size(), builder.reached());

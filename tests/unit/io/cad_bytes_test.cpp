@@ -57,5 +57,32 @@ TEST(CadBytes, EveryPrefixIsAnError) {
   EXPECT_THROW(cad_model(bytes + '\0'), Error);
 }
 
+/// A bool is 0 or 1 and a variant one of its alternatives: whatever is read is what was there.
+TEST(CadBytes, AChangedByteIsAnErrorOrAnotherModel) {
+  const std::string bytes = cad_bytes(sample());
+  int errors = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (char value : {'\x02', '\x03', '\xff'}) {
+      std::string changed = bytes;
+      changed[i] = value;
+      try {
+        EXPECT_EQ(cad_bytes(cad_model(changed)), changed) << i;
+      } catch (const Error&) {
+        ++errors;
+      }
+    }
+  }
+  EXPECT_GT(errors, 100);
+}
+
+TEST(CadBytes, APromiseOfManyFacesTakesNoMemory) {
+  std::string bytes = cad_bytes(CadModel{});
+  bytes.resize(bytes.size() - sizeof(std::size_t));
+  const std::size_t size = std::size_t{1} << 26;
+  bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
+  bytes.append(size, '\xff');
+  EXPECT_THROW(cad_model(bytes), Error);
+}
+
 }  // namespace
 }  // namespace torse

@@ -57,6 +57,11 @@ TEST(Document, SyntaxErrorsNameLineAndColumn) {
             "f: line 1, column 2: expected JSON, found invalid string: ill-formed UTF-8 byte near \"\\xff\"\"");
 }
 
+TEST(Document, ANullByteDoesNotEndTheText) {
+  EXPECT_EQ(error_of(std::string("{}\n\0 x", 6)), "f: line 2, column 1: expected JSON, found a null byte");
+  EXPECT_EQ(error_of(std::string("[12\0]", 6)), "f: line 1, column 4: expected JSON, found a null byte");
+}
+
 TEST(Document, LimitsStopBeforeMemoryDoes) {
   EXPECT_NE(error_of(std::string(50'000'000, '[')).find("at most 32 deep"), std::string::npos);
   std::string objects;
@@ -76,6 +81,13 @@ TEST(Document, LimitsStopBeforeMemoryDoes) {
   EXPECT_EQ(
       error_of("[1, 1e1000000000]"),
       "f: line 1, column 5: expected a number below 1e4932 (a string may hold a larger one), found \"1e1000000000\"");
+}
+
+TEST(Document, BlanksInARowAreLimited) {
+  const std::string most(limits::blanks, '\n');
+  EXPECT_EQ(error_of("[" + most + "x]").substr(0, 40), "f: line 1048577, column 1: expected JSON");
+  EXPECT_EQ(error_of("[" + most + " x]"),
+            "f: line 1048577, column 1: expected at most 1048576 blanks in a row, found more");
 }
 
 TEST(Document, TypedAccessSaysWhatItFound) {
