@@ -1,0 +1,57 @@
+"""What a run found, per folder: as text, Markdown and plain data for JSON.
+
+  summary    counts of results and of the stages that killed
+  table      in columns      markdown    the same for the documentation      line    one mutant
+"""
+import datetime
+from pathlib import Path
+
+from suite import STAGES
+
+COLUMNS = ("mutants", *STAGES, "timeout", "survived", "equivalent", "stillborn")
+
+
+def line(row):
+    return f"{row['result']}: {row['id']} [{row['digest']}] {row['before']} -> {row['after']} ({row['stage']} {row['by']})"
+
+
+def count(rows):
+    result = {c: 0 for c in COLUMNS}
+    for row in rows:
+        result["mutants"] += 1
+        result[row["stage"] if row["result"] == "killed" else row["result"]] += 1
+    killed = sum(result[s] for s in STAGES) + result["timeout"]
+    decided = killed + result["survived"]
+    result["score"] = round(100 * killed / decided, 1) if decided else None
+    return result
+
+
+def summary(rows, known, left_out, seed, seconds):
+    folders = sorted({str(Path(r["file"]).parent) for r in rows})
+    return {"date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(), "seed": seed, "seconds": round(seconds),
+            "known": known, "left_out": left_out, "total": count(rows),
+            "folders": {f: count([r for r in rows if str(Path(r["file"]).parent) == f]) for f in folders}}
+
+
+def cells(counts):
+    score = counts["score"]
+    return [str(counts[c]) for c in COLUMNS] + ["-" if score is None else f"{score:.1f}%"]
+
+
+def rows_of(result):
+    return [("folder", [*COLUMNS, "score"])] + [(f, cells(c)) for f, c in result["folders"].items()] + \
+        [("all", cells(result["total"]))]
+
+
+def table(result):
+    out = [f"{name:18}" + "".join(f"{c:>11}" for c in row) for name, row in rows_of(result)]
+    return "\n".join(out) + f"\n{result['total']['mutants']} of {result['known']} mutants, seed {result['seed']}, " \
+        f"{result['seconds']} s; {result['left_out']} more cannot be switched at run time"
+
+
+def markdown(result):
+    lines = ["| " + " | ".join([name, *row]) + " |" for name, row in rows_of(result)]
+    lines.insert(1, "|---" + "|---:" * (len(COLUMNS) + 1) + "|")
+    return "# Mutation score\n\nWritten by `./x mutate` on " + \
+        f"{result['date']}: {result['total']['mutants']} of {result['known']} mutants, seed {result['seed']}, " \
+        f"{result['seconds']} s. {result['left_out']} more cannot be switched at run time.\n\n" + "\n".join(lines) + "\n"
