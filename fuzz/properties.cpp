@@ -1,10 +1,14 @@
 #include "torse/fuzz/properties.hpp"
 
+#include "torse/fuzz/properties/construction.hpp"
+#include "torse/fuzz/properties/curves.hpp"
 #include "torse/fuzz/properties/double_net.hpp"
 #include "torse/fuzz/properties/double_rows.hpp"
 #include "torse/fuzz/properties/file_text.hpp"
+#include "torse/fuzz/properties/joined_rails.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
 #include "torse/fuzz/properties/refused_file.hpp"
+#include "torse/fuzz/properties/routes.hpp"
 #include "torse/fuzz/properties/scrambled_file.hpp"
 #include "torse/fuzz/properties/spelling.hpp"
 #include "torse/fuzz/properties/verdict_invariance.hpp"
@@ -15,11 +19,15 @@ namespace torse::fuzz {
 const std::vector<const Property*>& properties() {
   // clang-format off
   static const std::vector<const Property*> list{
+      &property<Construction>(),
+      &property<Curves>(),
       &property<DoubleNetProperty>(),
       &property<DoubleRows>(),
       &property<FileText>(),
+      &property<JoinedRails>(),
       &property<NumberText>(),
       &property<RefusedFile>(),
+      &property<Routes>(),
       &property<ScrambledFile>(),
       &property<Spelling>(),
       &property<VerdictInvariance<3>>(),

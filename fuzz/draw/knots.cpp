@@ -35,7 +35,7 @@ struct Shape {
 Shape draw_shape(Choices& choices, const Scale& scale, int degree) {
   const int pieces = choices.between(1, scale.pieces);
   const std::uint64_t ends = choices.below(6);
-  return {degree, 2 * degree + pieces - 1, ends < 4, ends < 3 || ends == 4, choices.once_in(3)};
+  return {degree, 2 * degree + pieces - 1, ends < 4, ends < 3 || ends == 4, choices.once_in(2)};
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ KnotList<Rational> draw_knots(Choices& choices, const Scale& scale, int degree) 
   for (int i = 1; i < shape.size; ++i) {
     const bool may_stand = run < degree && !shape.moves_at(i) &&
                            !(i == shape.size - degree && list.back() == list[static_cast<std::size_t>(degree) - 1]);
-    const bool stands = may_stand && (shape.clamped_at(i) || (shape.repeats && choices.once_in(2)));
+    const bool stands = may_stand && (shape.clamped_at(i) || (shape.repeats && !choices.once_in(3)));
     list.push_back(stands ? list.back() : list.back() + draw_step(choices, scale, steps));
     run = stands ? run + 1 : 1;
   }
