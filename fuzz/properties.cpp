@@ -7,6 +7,7 @@
 #include "torse/fuzz/properties/file_text.hpp"
 #include "torse/fuzz/properties/joined_rails.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
+#include "torse/fuzz/properties/recovery.hpp"
 #include "torse/fuzz/properties/refused_file.hpp"
 #include "torse/fuzz/properties/routes.hpp"
 #include "torse/fuzz/properties/scrambled_file.hpp"
@@ -26,9 +27,11 @@ const std::vector<const Property*>& properties() {
       &property<FileText>(),
       &property<JoinedRails>(),
       &property<NumberText>(),
+      &property<RecoveredFunctions>(),
       &property<RefusedFile>(),
       &property<Routes>(),
       &property<ScrambledFile>(),
+      &property<SingularParameters>(),
       &property<Spelling>(),
       &property<VerdictInvariance<3>>(),
       &property<VerdictInvariance<4>>(),
