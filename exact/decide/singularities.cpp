@@ -110,8 +110,9 @@ void append(std::vector<SingularSet>& sets, SingularSet next) {
 }
 
 void append_piece(std::vector<SingularSet>& sets, const PieceFunctions<Q>& f) {
-  if (f.sweep != Sweep::surface) {
-    append(sets, {Singularity::no_surface, {{f.begin, f.begin}}, {{f.end, f.end}}});
+  const bool no_surface = f.sweep != Sweep::surface;
+  if (no_surface || f.p[0].zero() || f.q[0].zero()) {
+    append(sets, {no_surface ? Singularity::no_surface : Singularity::pole, {{f.begin, f.begin}}, {{f.end, f.end}}});
     return;
   }
   const PieceEvents events(f);

@@ -154,6 +154,13 @@ TEST(Singularities, PolesOfTheWeights) {
   EXPECT_EQ(text(singular(p, d)), "pole 1/2");
 }
 
+TEST(Singularities, ARowAtInfinityIsAPoleEverywhere) {
+  const Rows p{row(0, 1, 0, 0), row(0, 0, 1, 0), row(0, 1, 1, 0)};
+  const Rows d(3, row(1, 2, 3, 4));
+  EXPECT_EQ(text(singular(p, d)), "pole 0..1");
+  EXPECT_EQ(text(singular(d, p)), "pole 0..1");
+}
+
 TEST(Singularities, CorollaryThreeAndItsConverseOnSplines) {
   for (const KnotList<Q>& u : knot_lists()) {
     if (u.degree() == 1) continue;
