@@ -14,6 +14,7 @@
 #include "torse/fuzz/properties/spelling.hpp"
 #include "torse/fuzz/properties/verdict_invariance.hpp"
 #include "torse/fuzz/properties/verdict_truth.hpp"
+#include "torse/fuzz/properties/warp_enclosure.hpp"
 
 namespace torse::fuzz {
 
@@ -37,6 +38,8 @@ const std::vector<const Property*>& properties() {
       &property<VerdictInvariance<4>>(),
       &property<VerdictTruth<3>>(),
       &property<VerdictTruth<4>>(),
+      &property<WarpEnclosures<3>>(),
+      &property<WarpEnclosures<4>>(),
   };
   // clang-format on
   return list;
