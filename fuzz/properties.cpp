@@ -5,6 +5,7 @@
 #include "torse/fuzz/properties/double_net.hpp"
 #include "torse/fuzz/properties/double_rows.hpp"
 #include "torse/fuzz/properties/file_text.hpp"
+#include "torse/fuzz/properties/functions.hpp"
 #include "torse/fuzz/properties/joined_rails.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
 #include "torse/fuzz/properties/recovery.hpp"
@@ -26,6 +27,7 @@ const std::vector<const Property*>& properties() {
       &property<DoubleNetProperty>(),
       &property<DoubleRows>(),
       &property<FileText>(),
+      &property<FunctionsOfAPatch>(),
       &property<JoinedRails>(),
       &property<NumberText>(),
       &property<RecoveredFunctions>(),
