@@ -10,6 +10,7 @@
 #include "torse/fuzz/properties/number_text.hpp"
 #include "torse/fuzz/properties/recovery.hpp"
 #include "torse/fuzz/properties/refused_file.hpp"
+#include "torse/fuzz/properties/refused_input.hpp"
 #include "torse/fuzz/properties/routes.hpp"
 #include "torse/fuzz/properties/scrambled_file.hpp"
 #include "torse/fuzz/properties/spelling.hpp"
@@ -32,6 +33,7 @@ const std::vector<const Property*>& properties() {
       &property<NumberText>(),
       &property<RecoveredFunctions>(),
       &property<RefusedFile>(),
+      &property<RefusedInput>(),
       &property<Routes>(),
       &property<ScrambledFile>(),
       &property<SingularParameters>(),
