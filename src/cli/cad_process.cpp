@@ -1,7 +1,6 @@
 // fork, limits, dlopen in the child, a pipe back.
 #include "torse/cli/cad_process.hpp"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
@@ -15,7 +14,10 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <filesystem>
+#include <optional>
 
+#include "torse/cli/plugin.hpp"
 #include "torse/io/cad_bytes.hpp"
 
 namespace torse::cli {
@@ -45,13 +47,7 @@ void set_limit(__rlimit_resource resource, rlim_t most) {
   setrlimit(resource, &limit);
 }
 
-CadFormats& load(const fs::path& path) {
-  void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) throw Error(std::string("cannot load the plugin: ") + dlerror());
-  const auto entry = reinterpret_cast<CadEntry>(dlsym(library, cad_entry));
-  if (entry == nullptr) throw Error("cannot use the plugin: " + path.string() + " is not torse_cad");
-  return *entry();
-}
+CadFormats& load(const fs::path& path) { return *reinterpret_cast<CadEntry>(plugin_symbol(path, cad_entry))(); }
 
 void send(int pipe, const std::string& text) {
   for (std::size_t sent = 0; sent < text.size();) {
@@ -146,18 +142,8 @@ std::string complaint_about(const std::string& file, CadFormat format, const std
 
 }  // namespace
 
-std::optional<fs::path> cad_plugin() {
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const fs::path& folder : {program, program.parent_path() / "lib/torse"}) {
-    const fs::path plugin = folder / "torse_cad.so";
-    if (fs::exists(plugin, ignored)) return plugin;
-  }
-  return std::nullopt;
-}
-
 std::string run_cad(const std::string& file, std::size_t size, const std::function<std::string(CadFormats&)>& task) {
-  const std::optional<fs::path> plugin = cad_plugin();
+  const std::optional<fs::path> plugin = find_plugin("torse_cad.so");
   if (!plugin) {
     throw FileError(file, "STEP and IGES need the optional part of torse that uses OpenCASCADE: ./x cad builds it");
   }

@@ -1,13 +1,10 @@
 // The plugin torse_cad in a process of its own: what OpenCASCADE does to a damaged file is no concern of the program.
 //   CadCrash          what it did not survive
-//   cad_plugin        where the plugin is
 //   run_cad           a task for the plugin in a child with limits of time and memory
 //   read_cad          the model of a STEP or IGES file
 #pragma once
 
-#include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "torse/io/cad.hpp"
@@ -20,9 +17,6 @@ class CadCrash : public FileError {
  public:
   using FileError::FileError;
 };
-
-/// torse_cad.so beside the program or in ../lib/torse from there; none where it is not installed.
-std::optional<std::filesystem::path> cad_plugin();
 
 /// Gives the plugin to `task` in a child process and returns the task's bytes. `file` is the name for errors, `size`
 /// its bytes, which extend the time. Throws FileError where there is no plugin, for an exception of the task (its text
