@@ -3,6 +3,7 @@
 #   a lower layer never includes a higher one; exact knows scalar and algebra only; nobody but cli includes cli
 #   exact/decide and the other folders of exact that are no arithmetics are a layer of their own, above developable and exact
 #   src/cad, the plugin, knows io only and is included by nobody; it alone may use OpenCASCADE
+#   src/mpi, the other plugin, knows fuzz/campaign/ranks.hpp only and alone may use MPI; SQLite is for fuzz/campaign
 #   our own headers have one spelling, "torse/<layer>/..."; everything in quotes is ours
 #   src without cli uses the standard library and Eigen (io: nlohmann too), so no GMP, MPFR, FLINT, Arb or Boost
 set -eu
@@ -20,6 +21,7 @@ BEGIN {
   may["quasi"] = may["developable"] " quasi"
   may["io"] = may["quasi"] " io"
   may["cad"] = "io cad"
+  may["mpi"] = "fuzz mpi"
   may["exact"] = may["algebra"] " exact"
   may["decide"] = may["developable"] " exact decide"
   may["proofs"] = may["fuzz"] = may["io"] " exact decide proofs fuzz"
@@ -33,11 +35,16 @@ function check(layer, name, own,   part) {
   if (own) {
     split(name, part, "/")
     if (part[2] == "exact" && !arithmetic(part[3])) part[2] = "decide"
-    if (index(" " may[layer] " ", " " part[2] " ") == 0) wrong(layer " may not include " name)
+    if (index(" " may[layer] " ", " " part[2] " ") == 0 || (layer == "mpi" && part[2] == "fuzz" && name != "torse/fuzz/campaign/ranks.hpp"))
+      wrong(layer " may not include " name)
+  } else if (layer != "mpi" && name == "mpi.h") {
+    wrong("<mpi.h> is for src/mpi")
+  } else if (where !~ /^fuzz\/campaign\// && name == "sqlite3.h") {
+    wrong("<sqlite3.h> is for fuzz/campaign")
   } else if (layer != "cad" && name ~ /\.hxx$/) {
     wrong("<" name ">: OpenCASCADE is for src/cad")
   } else if (where ~ /^src\// && layer != "cli" && name !~ /^[a-z_0-9]+$/ && name !~ /^Eigen\// && !(layer == "io" && name ~ /^nlohmann\//) &&
-             !(layer == "cad" && name ~ /^[A-Za-z0-9_]+\.hxx$/)) {
+             !(layer == "cad" && name ~ /^[A-Za-z0-9_]+\.hxx$/) && !(layer == "mpi" && name == "mpi.h")) {
     wrong("<" name "> is not for src/" layer ": the standard library and Eigen only")
   }
 }

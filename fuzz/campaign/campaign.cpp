@@ -1,0 +1,157 @@
+// The leader's loop and that of the others.
+#include "torse/fuzz/campaign/campaign.hpp"
+
+#include <exception>
+#include <iterator>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "torse/fuzz/campaign/crew.hpp"
+#include "torse/fuzz/campaign/workers.hpp"
+#include "torse/io/document.hpp"
+
+namespace torse::fuzz {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+/// The work between two transactions: what a process that is killed may lose.
+constexpr milliseconds between_commits(200);
+/// Between two looks for results, and for messages, which do not wake a thread.
+constexpr milliseconds pause(5);
+constexpr milliseconds pause_with_messages(1);
+
+std::vector<SeedSet> settled_seeds(Store& store, const Plan& plan, const std::string& build) {
+  std::vector<SeedSet> list;
+  for (std::size_t i = 0; i < plan.properties.size(); ++i) {
+    list.push_back(store.settled(plan.series(i), plan.seeds, build));
+  }
+  return list;
+}
+
+void append(std::vector<UnitResult>& list, std::vector<UnitResult> more) {
+  list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// Rank 0, or a process alone.
+class Leader {
+ public:
+  Leader(Store& store, const Plan& plan, const RunInfo& run, const Work& work, Ranks* ranks)
+      : store_(store),
+        run_(run),
+        work_(work),
+        messages_(ranks != nullptr),
+        start_(Clock::now()),
+        schedule_(plan, settled_seeds(store, plan, run.build)),
+        crew_(ranks, plan, run.build),
+        workers_(plan, work.jobs) {
+    advance_.left = schedule_.left();
+  }
+
+  Ran lead(const std::function<void(const Advance&)>& advanced) {
+    Clock::time_point committed = start_;
+    for (bool done = false; !done;) {
+      collect();
+      done = workers_done_ && crew_.at_work() == 0;
+      if (!done && Clock::now() - committed < between_commits) continue;
+      commit();
+      committed = Clock::now();
+      if (advanced) advanced(advance_);
+    }
+    if (defect_) std::rethrow_exception(defect_);
+    return {advance_, schedule_.empty(), seconds()};
+  }
+
+ private:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  /// Results of threads and processes, and new work for them. The first error ends the handing out.
+  void collect() {
+    const bool stop = defect_ != nullptr || (work_.time && Clock::now() - start_ >= *work_.time);
+    try {
+      if (!stop) workers_.give(schedule_.take(workers_.wanted()));
+      workers_done_ = defect_ != nullptr || workers_.idle();
+      if (!workers_done_) append(results_, workers_.take(messages_ ? pause_with_messages : pause));
+      crew_.serve(schedule_, stop, results_);
+    } catch (const Error&) {
+      if (!defect_) defect_ = std::current_exception();
+    }
+    std::this_thread::sleep_for(messages_ ? pause_with_messages : pause);
+  }
+
+  void commit() {
+    if (results_.empty()) return;
+    run_.seconds = seconds();
+    Transaction transaction(store_.database());
+    const std::int64_t number = store_.put_run(run_);
+    Advance next = advance_;
+    for (const UnitResult& result : results_) {
+      const Put put = store_.put(result, number);
+      if (put == Put::contradiction) {
+        throw FileError(store_.file(),
+                        unit_name(result.series, result.seed) +
+                            " has come out otherwise before: its property depends on more than the seed");
+      }
+      next.units += put == Put::added ? 1 : 0;
+      next.cases += result.tally.cases;
+      next.failed += result.tally.failed;
+    }
+    transaction.commit();
+    advance_ = next;
+    results_.clear();
+  }
+
+  Store& store_;
+  RunInfo run_;
+  Work work_;
+  bool messages_;
+  Clock::time_point start_;
+  Schedule schedule_;
+  Advance advance_;
+  Crew crew_;
+  Workers workers_;
+  bool workers_done_ = false;
+  std::vector<UnitResult> results_;
+  std::exception_ptr defect_;
+};
+
+}  // namespace
+
+Ran run_campaign(Store& store, const Plan& plan, const RunInfo& run, const Work& work,
+                 const std::function<void(const Advance&)>& advanced, Ranks* ranks) {
+  return Leader(store, plan, run, work, ranks).lead(advanced);
+}
+
+void follow(Ranks& ranks, const Plan& plan, const std::string& build, unsigned jobs) {
+  Workers workers(plan, jobs);
+  Report report;
+  report.plan = plan_number(plan, build);
+  bool asked = false;
+  bool more = true;
+  std::string bytes;
+  while (!report.last) {
+    try {
+      if (asked && ranks.receive(bytes) >= 0) {
+        asked = false;
+        const std::vector<Unit> units = orders_from(bytes, plan);
+        more = !units.empty();
+        workers.give(units);
+      }
+      if (report.error.empty()) append(report.results, workers.take(pause_with_messages));
+    } catch (const std::exception& error) {
+      report.error = error.what();
+    }
+    if (asked) continue;
+    report.wanted = more ? workers.wanted() : 0;
+    report.last = !report.error.empty() || (!more && workers.idle());
+    if (!report.last && report.wanted == 0) continue;
+    ranks.send(0, to_bytes(report, plan));
+    report.results.clear();
+    asked = true;
+  }
+  ranks.finish();
+}
+
+}  // namespace torse::fuzz
