@@ -37,6 +37,7 @@ class UsageError : public Error {
 };
 
 /// The subcommands, a file each.
+std::function<int()> define_campaign(CLI::App& app);
 std::function<int()> define_check(CLI::App& app);
 std::function<int()> define_construct(CLI::App& app);
 std::function<int()> define_convert(CLI::App& app);

@@ -27,19 +27,32 @@ constexpr Command commands[] = {
     {"construct", "make a developable surface through a curve", define_construct},
     {"recover", "Lambda, M, sigma, class, edge and singular parameters from the net alone", define_recover},
     {"convert", "write ruled surfaces as STEP, IGES, OBJ, STL, glTF or JSON", define_convert},
+    {"campaign", "properties over ranges of seeds, in a database that can be resumed, merged and compared",
+     define_campaign},
     {"unroll", "a developable surface as a flat plate: SVG, DXF, JSON with certified lengths", define_unroll},
 };
 
+/// The subcommand, or subcommand of it, that was parsed last.
+const CLI::App& innermost(const CLI::App& app) {
+  const std::vector<CLI::App*> used = app.get_subcommands();
+  return used.empty() ? app : innermost(*used.back());
+}
+
+/// The words in front of the options: "torse campaign run".
+std::string words_of(const CLI::App& app) {
+  const CLI::App* parent = app.get_parent();
+  return (parent == nullptr ? "" : words_of(*parent) + " ") + app.get_name();
+}
+
 /// The word that the parser did not expect with the nearest one it knows.
 std::string unknown_word(const CLI::App& app) {
-  const CLI::App* scope = &app;
-  for (const CLI::App* used : app.get_subcommands()) scope = used;
+  const CLI::App* scope = &innermost(app);
   std::vector<std::string> known;
   for (const CLI::Option* option : scope->get_options()) {
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
-  if (scope == &app) {
-    for (const Command& command : commands) known.emplace_back(command.name);
+  for (const CLI::App* word : scope->get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(word->get_name());
   }
   const std::vector<std::string> left = scope->remaining(true);
   const std::string word = left.empty() ? "" : left.front();
@@ -49,9 +62,7 @@ std::string unknown_word(const CLI::App& app) {
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   const bool unknown = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   print_error(unknown ? unknown_word(app) : error.what());
-  std::string help = "torse";
-  for (const CLI::App* used : app.get_subcommands()) help += " " + used->get_name();
-  Terminal(stderr).print("try: " + help + " --help\n");
+  Terminal(stderr).print("try: " + words_of(innermost(app)) + " --help\n");
   return exit_code::unusable;
 }
 

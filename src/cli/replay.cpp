@@ -1,9 +1,10 @@
 // torse replay: a file with a failing case, run again without any random choice of its own. The file is a report of
-// torse verify (every finding that failed runs again with its seed), a saved case of a property, a surface (checked) or
-// a construction (made, checked).
+// torse verify (every finding that failed runs again with its seed), a saved case of a property, a database of torse
+// campaign (every case that failed), a surface (checked) or a construction (made, checked).
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "torse/cli/command.hpp"
 #include "torse/cli/terminal.hpp"
+#include "torse/fuzz/campaign/store.hpp"
 #include "torse/fuzz/run.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/spline_file.hpp"
@@ -75,7 +77,33 @@ int run_case(const Document& document) {
   return exit_code::undecided;
 }
 
+bool is_database(const std::string& file) {
+  constexpr std::string_view magic("SQLite format 3", 16);
+  std::string begin(magic.size(), ' ');
+  std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin == magic;
+}
+
+/// Runs the failing cases of a campaign; the worst exit code wins.
+int run_database(const std::string& file) {
+  fuzz::Store store(file, fuzz::Database::Open::existing);
+  const Terminal terminal(stdout);
+  int worst = exit_code::success;
+  std::size_t count = 0;
+  for (const fuzz::Series& series : store.series()) {
+    for (const fuzz::Failure& failure : store.failures(series, fuzz::all_seeds)) {
+      const std::string name = file + ", " + fuzz::unit_name(series, failure.saved.seed);
+      terminal.print(terminal.painted(Paint::dim, name) + "\n");
+      worst = std::max(worst, run_case(Document(name, failure.saved.text)));
+      ++count;
+    }
+  }
+  if (count == 0) terminal.print("nothing failed in this campaign\n");
+  return worst;
+}
+
 int run_replay(const std::string& file) {
+  if (is_database(file)) return run_database(file);
   const std::string text = read_file(file);
   const Json report = Json::parse(text, nullptr, false);
   if (!report.is_discarded() && report.is_object() && report.contains("claims")) {
@@ -97,7 +125,9 @@ int run_replay(const std::string& file) {
 
 std::function<int()> define_replay(CLI::App& app) {
   const auto file = std::make_shared<std::string>();
-  app.add_option("FILE", *file, "a report of torse verify, a saved case, a surface or a construction")->required();
+  app.add_option("FILE", *file,
+                 "a report of torse verify, a saved case, a database of torse campaign, a surface or a construction")
+      ->required();
   return [file] { return run_replay(*file); };
 }
 

@@ -1,0 +1,253 @@
+// torse campaign, the real program: killed and resumed, sharded, shown, merged, compared; errors.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <random>
+
+#include "support/process.hpp"
+#include "torse/fuzz/properties.hpp"
+
+namespace torse::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Variables = std::map<std::string, std::string>;
+
+class Campaign : public ::testing::Test {
+ protected:
+  ProgramResult run(const std::vector<std::string>& words, const Variables& variables = {}) const {
+    Process process(words, variables, runs_.scratch() / "output");
+    const int exit = process.wait();
+    return {exit, process.output(), ""};
+  }
+  ProgramResult torse(std::vector<std::string> words, const Variables& variables = {}) const {
+    words.insert(words.begin(), TORSE_PROGRAM_PATH);
+    return run(words, variables);
+  }
+  /// One thread, in one go: what all other ways must come to.
+  void expect_like_one_go(const std::string& name) const {
+    ASSERT_TRUE(runs_.sound(name));
+    const std::string seeds = "1.." + std::to_string(runs_.last_seed(name));
+    const ProgramResult rest = run(runs_.run(name, seeds, "2"));
+    ASSERT_EQ(rest.exit, 0) << rest.out;
+    ASSERT_EQ(run(runs_.run("one-go", seeds, "1")).exit, 0);
+    EXPECT_EQ(runs_.units(name), runs_.last_seed(name));
+    const ProgramResult diff = torse({"campaign", "diff", runs_.file("one-go"), runs_.file(name)});
+    EXPECT_EQ(diff.exit, 0) << diff.out;
+    EXPECT_THAT(diff.out, HasSubstr("equal\n"));
+  }
+  /// A database whose seed 3 fails, by this program if `own`, otherwise by another build.
+  void make_failing(const std::string& name, bool own) const {
+    ASSERT_EQ(run(runs_.run(name, "1..2", "1")).exit, 0);
+    fuzz::Store store(runs_.file(name), fuzz::Database::Open::existing);
+    fuzz::RunInfo info = store.runs().begin()->second;
+    info.token = "made up";
+    if (!own) info.build = "another";
+    fuzz::UnitResult unit{{runs_.property, "quick"}, 3, {}, 10};
+    unit.tally.cases = 500;
+    unit.tally.failed = 4;
+    unit.tally.failures.push_back(
+        {3, 17, "made up", R"({"torse": 1, "type": "case", "property": "text.number", "input": {"x": "2/3"}})"});
+    fuzz::Transaction transaction(store.database());
+    store.put(unit, store.put_run(info));
+    transaction.commit();
+  }
+
+  CampaignRuns runs_;
+};
+
+TEST_F(Campaign, KilledAtAnyMomentLosesNothingStoredAndCountsNothingTwice) {
+  std::mt19937 random(1);
+  std::uint64_t stored = 0;
+  for (int i = 0; i < 24; ++i) {
+    Process process(runs_.run("killed", "1..1000000", "2"), {}, runs_.scratch() / "output");
+    // Every third one is killed when it has stored something, the others at their beginning.
+    const bool has_stored = i % 3 != 0 || wait_for([&] { return runs_.units("killed") > stored; });
+    ASSERT_TRUE(has_stored) << process.output();
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 60));
+    process.send(SIGKILL);
+    EXPECT_EQ(process.wait(), 128 + SIGKILL);
+    const std::uint64_t left = runs_.units("killed");
+    EXPECT_GE(left, stored);
+    stored = left;
+  }
+  EXPECT_GT(stored, 0U);
+  expect_like_one_go("killed");
+}
+
+TEST_F(Campaign, ShardsShareADatabaseOrHaveTheirOwn) {
+  std::vector<std::unique_ptr<Process>> processes;
+  std::vector<std::string> merge{"campaign", "merge", runs_.file("merged")};
+  for (const std::string index : {"0", "1", "2"}) {
+    const Variables shard{{"GTEST_TOTAL_SHARDS", "3"},
+                          {"GTEST_SHARD_INDEX", index},
+                          {"GTEST_SHARD_STATUS_FILE", runs_.file("status" + index)}};
+    for (const std::string& name : {std::string("shared"), "own" + index}) {
+      processes.push_back(
+          std::make_unique<Process>(runs_.run(name, "1..90", "1"), shard, runs_.scratch() / (name + index)));
+    }
+    merge.push_back(runs_.file("own" + index));
+  }
+  for (const auto& process : processes) EXPECT_EQ(process->wait(), 0) << process->output();
+  EXPECT_TRUE(std::filesystem::exists(runs_.scratch() / "status2"));
+  EXPECT_EQ(runs_.units("own1"), 30U);
+  EXPECT_EQ(runs_.units("shared"), 90U);
+  expect_like_one_go("shared");
+  const ProgramResult merged = torse(merge);
+  EXPECT_EQ(merged.exit, 0);
+  EXPECT_THAT(merged.out, HasSubstr("90 units added"));
+  EXPECT_EQ(torse({"campaign", "diff", runs_.file("shared"), runs_.file("merged")}).exit, 0);
+  const ProgramResult part = torse({"campaign", "diff", runs_.file("own1"), runs_.file("merged")});
+  EXPECT_EQ(part.exit, 3);
+  EXPECT_THAT(part.out, HasSubstr("only in B"));
+}
+
+TEST_F(Campaign, ProcessesThatDoTheSameCountItOnce) {
+  std::vector<std::unique_ptr<Process>> processes;
+  for (int i = 0; i < 3; ++i) {
+    processes.push_back(
+        std::make_unique<Process>(runs_.run("same", "1..60", "1"), Variables(), runs_.scratch() / std::to_string(i)));
+  }
+  for (const auto& process : processes) EXPECT_EQ(process->wait(), 0) << process->output();
+  expect_like_one_go("same");
+}
+
+TEST_F(Campaign, ADiskWithoutRoomIsAnErrorAndNothingIsLost) {
+  std::vector<std::string> words{"sh", "-c", "trap '' XFSZ; ulimit -f 120; exec \"$@\"", "sh"};
+  for (const std::string& word : runs_.run("full", "1..1000000", "2")) words.push_back(word);
+  const ProgramResult full = run(words);
+  EXPECT_EQ(full.exit, 2);
+  EXPECT_THAT(full.out, HasSubstr("torse: error: " + runs_.file("full") + ": the database cannot be used: "));
+  EXPECT_GT(runs_.units("full"), 0U);
+  expect_like_one_go("full");
+}
+
+TEST_F(Campaign, ATimeLimitIsNoFailure) {
+  std::vector<std::string> words = runs_.run("time", "5..", "1");
+  words.insert(words.end(), {"--minutes", "0.005", "--json", "-"});
+  const ProgramResult first = run(words);
+  EXPECT_EQ(first.exit, 0);
+  const json report = json::parse(first.out);
+  EXPECT_EQ(report["complete"], false);
+  EXPECT_EQ(report["seeds"], "5..");
+  const std::uint64_t stored = runs_.units("time");
+  EXPECT_EQ(report["units"]["stored"], stored);
+  EXPECT_EQ(run(words).exit, 0);
+  EXPECT_GT(runs_.units("time"), stored);
+  EXPECT_EQ(runs_.last_seed("time"), runs_.units("time") + 4);  // no seed was left out or run twice
+  words.resize(words.size() - 2);
+  EXPECT_THAT(run(words).out, HasSubstr("stopped by --minutes"));
+}
+
+TEST_F(Campaign, ReportsSayWhatWasCovered) {
+  std::vector<std::string> words = runs_.run("a", "1..40", "2");
+  words.insert(words.end(), {"--json", runs_.file("json"), "--junit", runs_.file("junit")});
+  const ProgramResult result = run(words);
+  EXPECT_EQ(result.exit, 0);
+  EXPECT_THAT(result.out, HasSubstr("40 seeds, 20000 cases: 0 failed"));
+  EXPECT_THAT(result.out, Not(HasSubstr("\r")));
+  const json report = json::parse(slurp(runs_.scratch() / "json"));
+  EXPECT_EQ(report["complete"], true);
+  const json& property = report["properties"][0];
+  EXPECT_EQ(property["property"], runs_.property);
+  EXPECT_EQ(property["seeds"], 40);
+  EXPECT_EQ(property["cases"], 20000);
+  EXPECT_EQ(property["vacuous"], nullptr);
+  EXPECT_EQ(property["labels"]["kind"]["integer"].get<int>() + property["labels"]["kind"]["fraction"].get<int>(),
+            20000);
+  EXPECT_THAT(slurp(runs_.scratch() / "junit"), HasSubstr("tests=\"1\""));
+  const ProgramResult shown = torse({"campaign", "show", runs_.file("a"), "--json", "-"});
+  EXPECT_EQ(shown.exit, 0);
+  const json all = json::parse(shown.out);
+  EXPECT_EQ(all["properties"][0]["labels"], property["labels"]);
+  EXPECT_EQ(all["runs"][0]["version"], "0.1.0");
+  EXPECT_EQ(all["runs"][0]["build"].get<std::string>().size(), 40U);
+  EXPECT_THAT(torse({"campaign", "show", runs_.file("a")}).out, HasSubstr("integer"));
+  EXPECT_THAT(torse({"replay", runs_.file("a")}).out, HasSubstr("nothing failed"));
+}
+
+TEST_F(Campaign, FailuresAreFilesThatReplayRuns) {
+  make_failing("a", true);
+  std::vector<std::string> words = runs_.run("a", "1..5", "1");
+  words.insert(words.end(), {"--json", runs_.file("json"), "--junit", runs_.file("junit")});
+  const ProgramResult result = run(words);
+  EXPECT_EQ(result.exit, 1);
+  const std::string path = runs_.file("a.cases/text.number-quick-3-17.json");
+  EXPECT_THAT(result.out, HasSubstr("failed: text.number, seed 3, quick effort: made up\n  case: " + path +
+                                    "\n  replay: torse replay " + path + "\n"));
+  EXPECT_EQ(torse({"replay", path}).exit, 0);
+  const json report = json::parse(slurp(runs_.scratch() / "json"));
+  EXPECT_EQ(report["failures"][0]["file"], path);
+  EXPECT_EQ(report["failures"][0]["seed"], 3);
+  EXPECT_EQ(report["properties"][0]["failed"], 4);
+  EXPECT_THAT(slurp(runs_.scratch() / "junit"), HasSubstr("failures=\"1\""));
+  EXPECT_EQ(torse({"campaign", "show", runs_.file("a")}).exit, 1);
+  EXPECT_EQ(torse({"campaign", "export", runs_.file("a"), "-o", runs_.file("x/y")}).exit, 0);
+  EXPECT_EQ(slurp(runs_.scratch() / "x/y/text.number-quick-3-17.json"), slurp(path));
+  const ProgramResult replayed = torse({"replay", runs_.file("a")});
+  EXPECT_EQ(replayed.exit, 0);
+  EXPECT_THAT(replayed.out, HasSubstr("seed 3, quick effort\ntext.number: holds"));
+}
+
+TEST_F(Campaign, AFailureOfAnotherBuildIsRunAgain) {
+  make_failing("a", false);
+  std::filesystem::copy_file(runs_.file("a"), runs_.file("before"));
+  EXPECT_EQ(run(runs_.run("a", "1..3", "1")).exit, 0);
+  const ProgramResult diff = torse({"campaign", "diff", runs_.file("before"), runs_.file("a")});
+  EXPECT_EQ(diff.exit, 1);
+  EXPECT_THAT(diff.out, HasSubstr("fails in A only: 1 seeds: 3\n"));
+  EXPECT_THAT(torse({"campaign", "diff", runs_.file("a"), runs_.file("before")}).out,
+              HasSubstr("fails in B only: 1 seeds: 3\n"));
+}
+
+TEST_F(Campaign, ContradictionsAreNotMerged) {
+  make_failing("a", true);
+  EXPECT_EQ(run(runs_.run("b", "1..3", "1")).exit, 0);
+  const ProgramResult merged = torse({"campaign", "merge", runs_.file("c"), runs_.file("a"), runs_.file("b")});
+  EXPECT_EQ(merged.exit, 2);
+  EXPECT_THAT(merged.out, HasSubstr("text.number, seed 3, quick effort"));
+  EXPECT_FALSE(std::filesystem::exists(runs_.scratch() / "c"));
+}
+
+TEST_F(Campaign, WhatMakesNoSenseIsAnError) {
+  spill(runs_.scratch() / "text", "no database");
+  const std::string other = runs_.file("new");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"run"}, "--db is required"},
+      {{"run", "--db", other, "--seeds", "5..3"}, "--seeds: expected A..B"},
+      {{"run", "--db", other, "--seeds", "5.."}, "needs --minutes"},
+      {{"run", "--db", other, "--property", "text.numbr"}, "did you mean text.number?"},
+      {{"run", "--db", other, "--effort", "deeep"}, "did you mean deep?"},
+      {{"run", "--db", other, "--jobs", "0"}, "--jobs"},
+      {{"run", "--db", other, "--minutes", "-1"}, "--minutes"},
+      {{"run", "--db", other, "--seds", "1"}, "did you mean --seeds?"},
+      {{"rum"}, "unexpected word rum; did you mean run?"},
+      {{}, "expected run, show, merge, diff or export"},
+      {{"run", "--db", runs_.file("text"), "--seeds", "1"}, "expected a database of torse campaign"},
+      {{"run", "--db", runs_.file("none/x"), "--seeds", "1"}, "unable to open database file"},
+      {{"run", "--db", runs_.scratch().path().string(), "--seeds", "1"}, "found a folder"},
+      {{"show", runs_.file("text")}, "expected a database of torse campaign"},
+      {{"show", other}, "unable to open database file"},
+      {{"diff", other, other}, "unable to open database file"},
+      {{"merge", other, other}, "unable to open database file"},
+      {{"export", runs_.file("text"), "-o", runs_.file("x")}, "expected a database of torse campaign"}};
+  for (const auto& [words, message] : wrong) {
+    std::vector<std::string> line{"campaign"};
+    line.insert(line.end(), words.begin(), words.end());
+    const ProgramResult result = torse(line);
+    EXPECT_EQ(result.exit, 2) << result.out;
+    EXPECT_THAT(result.out, HasSubstr(message));
+  }
+  EXPECT_FALSE(std::filesystem::exists(other));
+  const ProgramResult shard = torse({"campaign", "run", "--db", other}, {{"GTEST_TOTAL_SHARDS", "3"}});
+  EXPECT_EQ(shard.exit, 2);
+  EXPECT_THAT(shard.out, HasSubstr("GTEST_SHARD_INDEX"));
+}
+
+}  // namespace
+}  // namespace torse::testing
