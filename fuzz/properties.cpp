@@ -13,6 +13,7 @@
 #include "torse/fuzz/properties/refused_input.hpp"
 #include "torse/fuzz/properties/routes.hpp"
 #include "torse/fuzz/properties/scrambled_file.hpp"
+#include "torse/fuzz/properties/small_formulas.hpp"
 #include "torse/fuzz/properties/spelling.hpp"
 #include "torse/fuzz/properties/verdict_invariance.hpp"
 #include "torse/fuzz/properties/verdict_truth.hpp"
@@ -37,6 +38,7 @@ const std::vector<const Property*>& properties() {
       &property<Routes>(),
       &property<ScrambledFile>(),
       &property<SingularParameters>(),
+      &property<SmallFormulas>(),
       &property<Spelling>(),
       &property<VerdictInvariance<3>>(),
       &property<VerdictInvariance<4>>(),
