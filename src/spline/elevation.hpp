@@ -3,6 +3,7 @@
 //   elevate           the same curve with degree n + 1
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -16,22 +17,21 @@ template <Field S>
 KnotList<S> elevated_knots(const KnotList<S>& u) {
   const int n = u.degree();
   std::vector<S> raised;
-  int begin = 0;  // entries of `raised` up to and including the domain's start
-  int end = 0;    // entries before the domain's end
+  std::size_t begin = 0;  // entries of `raised` up to and including the group of the domain's start
+  std::size_t end = 0;    // entries before the group of the domain's end
+  std::size_t group = 0;  // entries before the group of u_i
   for (int i = 0; i < u.size(); ++i) {
     const Truth closes = i + 1 == u.size() ? Truth::yes : !equal(u[i], u[i + 1]);
     if (closes == Truth::unknown) throw Undecided("degree elevation: equality of knots is not decided");
-    if (i > 0 && definitely(equal(u[i], u.domain_end())) && !definitely(equal(u[i - 1], u.domain_end()))) {
-      end = static_cast<int>(raised.size());
-    }
+    if (i == u.last()) end = group;
     raised.push_back(u[i]);
-    if (definitely(closes)) {
-      raised.push_back(u[i]);
-      if (definitely(equal(u[i], u.domain_begin()))) begin = static_cast<int>(raised.size());
-    }
+    if (!definitely(closes)) continue;
+    raised.push_back(u[i]);
+    group = raised.size();
+    if (i >= n - 1 && begin == 0) begin = group;
   }
-  const auto first = raised.begin() + (begin - (n + 1));
-  const auto last = raised.begin() + (end + n + 1);
+  const auto first = raised.begin() + static_cast<std::ptrdiff_t>(begin) - (n + 1);
+  const auto last = raised.begin() + static_cast<std::ptrdiff_t>(end) + (n + 1);
   return KnotList<S>(n + 1, std::vector<S>(first, last));
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "splines.hpp"
+#include "torse/exact/ball/ball.hpp"
 
 namespace torse::test {
 namespace {
@@ -12,6 +13,18 @@ TEST(ElevatedKnots, ByHand) {
   EXPECT_EQ(elevated_knots(knots(2, {0, 0, 1, 2, 2})).list(),
             (std::vector<Q>{Q(0), Q(0), Q(0), Q(1), Q(1), Q(2), Q(2), Q(2)}));
   EXPECT_EQ(elevated_knots(knots(2, {0, 1, 2, 3})).list(), (std::vector<Q>{Q(0), Q(1), Q(1), Q(2), Q(2), Q(3)}));
+}
+
+TEST(ElevatedKnots, OfWideBallsByTheirOrder) {
+  // 1/3 is no dyadic number: the ball of a knot is not decidedly equal even to itself.
+  using B = Ball<128>;
+  const KnotList<B> simple(2, {B::rational("-1/3"), B::rational("1/3"), B::rational("2/3"), B::rational("5/3")});
+  const std::vector<B> raised = elevated_knots(simple).list();
+  ASSERT_EQ(raised.size(), 6U);
+  const char* const expected[] = {"-1/3", "1/3", "1/3", "2/3", "2/3", "5/3"};
+  for (std::size_t i = 0; i < raised.size(); ++i) EXPECT_TRUE(raised[i].contains(expected[i]));
+  const KnotList<B> clamped(2, {B::rational("1/3"), B::rational("1/3"), B::rational("2/3"), B::rational("2/3")});
+  EXPECT_THROW(elevated_knots(clamped), Undecided);
 }
 
 TEST(Elevate, LeavesTheCurveAsItIs) {
