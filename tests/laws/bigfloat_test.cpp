@@ -86,6 +86,11 @@ TEST(BigFloat, FollowsIeee754AtZero) {
   EXPECT_THROW(static_cast<void>(nan.to_rational()), InvalidInput);
 }
 
+TEST(BigFloat, TextIsTheNumberAlone) {
+  EXPECT_EQ(BigFloat<113>::from_double(0.375).text(), "0.375");
+  EXPECT_EQ(BigFloat<24>(-7).text(), "-7");
+}
+
 TEST(BigFloat, NameTellsThePrecision) {
   EXPECT_EQ(ScalarTraits<BigFloat<2>>::name, "2 bits");
   EXPECT_EQ(ScalarTraits<BigFloat<113>>::name, "113 bits");

@@ -127,6 +127,9 @@ TEST(Interval, PredicatesSayOnlyWhatHoldsForAllElements) {
   const std::int64_t beyond = (std::int64_t{1} << 53) + 1;
   EXPECT_TRUE(exact(Interval(beyond).lower()) < Rational(beyond) && Rational(beyond) < exact(Interval(beyond).upper()));
   EXPECT_THROW(Interval::hull(1, 0), InvalidInput);
+  EXPECT_THROW(Interval::hull(detail::infinity, detail::infinity), InvalidInput);
+  EXPECT_THROW(Interval::hull(-detail::infinity, -detail::infinity), InvalidInput);
+  EXPECT_TRUE(Interval::hull(-detail::infinity, detail::infinity).contains(0));
   EXPECT_THROW(Interval::point(std::nan("")), InvalidInput);
   EXPECT_THROW(static_cast<void>(Interval(1) / Interval(0)), DivisionByZero);
 }

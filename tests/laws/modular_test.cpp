@@ -111,6 +111,24 @@ TEST(Prime, ASeedFixesTheRandomPrime) {
   EXPECT_EQ(random_prime(one).prime(), random_prime(other).prime());
 }
 
+/// Words from a list.
+struct Words {
+  using result_type = std::uint64_t;
+  static constexpr result_type min() { return 0; }
+  static constexpr result_type max() { return ~result_type{0}; }
+  result_type operator()() { return list.at(next++); }
+
+  std::vector<result_type> list;
+  std::size_t next = 0;
+};
+
+TEST(Prime, DrawsBelowTheModulusAlone) {
+  const Modulus modulus((std::uint64_t{1} << 62) - 57);
+  Words words{{modulus.prime(), modulus.prime() + 1, ~std::uint64_t{0}, modulus.prime() - 1, 0}};
+  EXPECT_EQ(modulus.draw(words), modulus.prime() - 1);
+  EXPECT_EQ(modulus.draw(words), 0U);
+}
+
 TEST(Prime, CountBoundFollowsFromRosserAndSchoenfeld) {
   const double log2 = std::log(2.0);
   const double bound = std::ldexp(1.0, 62) / (62 * log2 - 0.5) - std::ldexp(1.0, 61) / (61 * log2 - 1.5);

@@ -172,6 +172,13 @@ TEST(Rational, TellsItsSize) {
   EXPECT_EQ(Rational::from_text("-255/1024").denominator_bits(), 11U);
 }
 
+TEST(Rational, CommonDenominatorIsTheLeast) {
+  const auto least = [](const std::vector<Rational>& list) { return ScalarTraits<Rational>::common_denominator(list); };
+  EXPECT_EQ(least({ratio<Rational>(-1, 4), ratio<Rational>(5, 6), Rational(3)}), Rational(12));
+  EXPECT_EQ(least({ratio<Rational>(2, 7)}), Rational(7));
+  EXPECT_EQ(least({}), Rational(1));
+}
+
 TEST(Rational, TakesUnsignedWords) {
   EXPECT_EQ(Rational(~std::uint64_t{0}).text(), "18446744073709551615");
   EXPECT_EQ(Rational(std::numeric_limits<std::int64_t>::min()).text(), "-9223372036854775808");

@@ -90,5 +90,13 @@ TEST(PointSystem, BallsDoNotGuess) {
   EXPECT_THROW(system.insert(left, Vec<Box, 1>(Box(1))), Undecided);
 }
 
+TEST(PointSystem, BallsDoNotGuessAContradiction) {  // 0 x_0 = 1/3 - 1/3
+  using Box = Ball<128>;
+  const Vec<Box, 1> third(Box(1) / Box(3));
+  PointSystem<Box, Vec<Box, 1>> system(1);
+  system.insert(Form<Box>::generator(0), third);
+  EXPECT_THROW(system.insert(Form<Box>::generator(0), third), Undecided);
+}
+
 }  // namespace
 }  // namespace torse

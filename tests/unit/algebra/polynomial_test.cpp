@@ -151,6 +151,12 @@ TEST(Polynomial, Text) {
   EXPECT_EQ(as_text(Ratio(poly({1, 2}))), "2 t + 1");
 }
 
+TEST(Polynomial, TimesZeroIsTheZeroPolynomial) {
+  EXPECT_TRUE(poly({1, 2}).scale(Q(0)).zero());
+  EXPECT_EQ(poly({1, 2}).scale(Q(0)).degree(), -1);
+  EXPECT_TRUE(poly({1, 2}).scale(Q(3)) == poly({3, 6}));
+}
+
 TEST(PolynomialFraction, IsReducedWithMonicDenominator) {
   const Ratio x(poly({-2, 0, 2}), poly({3, -3}));  // 2 (t-1)(t+1) / -3 (t-1)
   EXPECT_TRUE(x.denominator() == poly({1}));

@@ -226,6 +226,18 @@ TEST(Classify, RulingsOnOneLineAndACurveAreACylinderAlongTheLineHoweverTheAxesAr
   } while (std::next_permutation(axis.begin(), axis.end()));
 }
 
+// The last ruling alone misses the vertex of all others; its piece is planar.
+TEST(Classify, OneRulingBesideTheVertexIsNoCone) {
+  const std::vector<Q> ones(5, Q(1));
+  Net surface{two_pieces,
+              {{point(1, 0, 0), point(0, 1, 0), point(0, 0, 1), point(0, 1, 1), point(0, 2, 1)}, ones},
+              {{point(2, 0, 0), point(0, 2, 0), point(0, 0, 2), point(0, 2, 2), point(0, 4, 2)}, ones}};
+  EXPECT_EQ(surface.classified().kind, SurfaceClass::cone);
+  surface.d.points[4] = point(0, 5, 2);
+  EXPECT_TRUE(surface.developable());
+  EXPECT_EQ(surface.classified().kind, SurfaceClass::tangent);
+}
+
 TEST(Classify, EveryClassHasItsWord) {
   EXPECT_EQ(name_of(SurfaceClass::plane), "plane");
   EXPECT_EQ(name_of(SurfaceClass::cylinder), "cylinder");

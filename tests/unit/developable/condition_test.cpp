@@ -96,5 +96,21 @@ TEST(Condition, PointwiseByHand) {  // the hyperbolic paraboloid z = t v: c = (t
   EXPECT_EQ((pointwise_determinant<Q>(u, std::span<const Row>(p), std::span<const Row>(r), 1, q(1, 2))), Q(-1));
 }
 
+// With homogeneous curves P, Q over one piece, [P, P', Q, Q'] is the determinant of the span over n^2 where s + t = 1,
+// and -w^2 omega^2 times it is (d-c).(c' x d') times w^4 omega^4: the rows w (1, c), w' (1, c) + w (0, c') and so on.
+TEST(Condition, PointwiseOfARationalSurfaceIsTheDeterminantOfItsSpan) {
+  const int n = 3;
+  const KnotList<Q> u = bezier_knots<Q>(n);
+  const std::vector<Row> p = cubic_row();
+  const std::vector<Row> r{row(2, 1, 1, 3), row(1, -2, 5, 1), row(5, 3, 2, -4), row(3, 0, 7, 1)};
+  const BinaryForm<Q> det = span_determinant<Q>(u, std::span<const Row>(p), std::span<const Row>(r), 1);
+  for (int i = 0; i <= 4; ++i) {
+    const Q t = q(i, 5);
+    const Q weights = value(p, t)[0] * value(r, t)[0];
+    EXPECT_EQ(pointwise_determinant<Q>(u, std::span<const Row>(p), std::span<const Row>(r), 1, t),
+              -weights * weights * det(Q(1) - t, t) / Q(n * n));
+  }
+}
+
 }  // namespace
 }  // namespace torse

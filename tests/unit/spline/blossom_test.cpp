@@ -103,6 +103,15 @@ TEST(Blossom, DirectionGivesTheDerivative) {
   }
 }
 
+TEST(Blossom, EachArgumentShortensTheRow) {
+  const KnotList<Q> u = knots(3, {-2, -1, 0, 1, 4, 5, 7, 8});
+  const std::vector<Point2> c = points(u);
+  for (int r = 0; r <= u.degree(); ++r) {
+    const std::vector<Parameter<Q>> v = repeated(at(Q(2)), r);
+    EXPECT_EQ((blossom_row<Q, Point2>(u, c, 2, v).size()), static_cast<std::size_t>(u.degree() + 1 - r));
+  }
+}
+
 TEST(Spline, ChecksTheNumberOfPoints) {
   const KnotList<Q> u = knots(2, {0, 0, 1, 1});
   try {

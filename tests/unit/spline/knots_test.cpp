@@ -69,5 +69,14 @@ TEST(KnotList, RejectsBadListsAndNamesThePlace) {
   EXPECT_EQ(place_of([] { return knots(2, {0, 0, 1, 1}); }), "");
 }
 
+TEST(KnotList, TellsWhichKnotsAreOutOfOrder) {
+  try {
+    knots(2, {0, 2, 1, 3});
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("found 1 after 2"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace torse::test

@@ -34,6 +34,7 @@ inline std::vector<KnotList<Q>> knot_lists() {
           knots(3, {0, 0, 0, 2, 3, 3, 5, 5, 5}),  // a double knot
           knots(3, {-2, -1, 0, 1, 4, 5, 7, 8}),
           knots(3, {0, 0, 1, 2, 2, 2, 3, 4, 4}),  // a triple knot, ends neither simple nor clamped
+          knots(3, {0, 1, 2, 2, 4, 5, 5, 6, 7}),  // the first and the last piece are empty, unclamped
           knots(4, {0, 0, 0, 0, 1, 2, 2, 5, 5, 5, 5}),
           knots(4, {0, 1, 1, 3, 4, 4, 4, 6, 7, 8})};
 }
