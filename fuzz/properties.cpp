@@ -1,5 +1,6 @@
 #include "torse/fuzz/properties.hpp"
 
+#include "torse/fuzz/properties/ball_verdict.hpp"
 #include "torse/fuzz/properties/construction.hpp"
 #include "torse/fuzz/properties/curves.hpp"
 #include "torse/fuzz/properties/double_net.hpp"
@@ -8,9 +9,11 @@
 #include "torse/fuzz/properties/functions.hpp"
 #include "torse/fuzz/properties/joined_rails.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
+#include "torse/fuzz/properties/plate.hpp"
 #include "torse/fuzz/properties/recovery.hpp"
 #include "torse/fuzz/properties/refused_file.hpp"
 #include "torse/fuzz/properties/refused_input.hpp"
+#include "torse/fuzz/properties/repair.hpp"
 #include "torse/fuzz/properties/routes.hpp"
 #include "torse/fuzz/properties/scrambled_file.hpp"
 #include "torse/fuzz/properties/small_formulas.hpp"
@@ -24,6 +27,7 @@ namespace torse::fuzz {
 const std::vector<const Property*>& properties() {
   // clang-format off
   static const std::vector<const Property*> list{
+      &property<BallVerdict>(),
       &property<Construction>(),
       &property<Curves>(),
       &property<DoubleNetProperty>(),
@@ -31,7 +35,9 @@ const std::vector<const Property*>& properties() {
       &property<FileText>(),
       &property<FunctionsOfAPatch>(),
       &property<JoinedRails>(),
+      &property<NearestNets>(),
       &property<NumberText>(),
+      &property<PlateBounds>(),
       &property<RecoveredFunctions>(),
       &property<RefusedFile>(),
       &property<RefusedInput>(),

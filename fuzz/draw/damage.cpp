@@ -360,10 +360,14 @@ Damaged string_bytes(Choices& choices, DrawnFile& file) {
   return {text, std::nullopt};
 }
 
+/// One array inside another one too many for the format, or many.
 Damaged depth(Choices& choices, DrawnFile& file) {
   const Found number = find_number(choices, file.tree);
-  const auto levels = static_cast<std::size_t>(choices.between(33, 60));
-  *number.tree = json_literal(std::string(levels, '[') + std::string(levels, ']'));
+  const std::string& place = number.place;
+  // Each step of the place is one level below the object of the file.
+  const auto steps = static_cast<int>(std::ranges::count(place, '.') + std::ranges::count(place, '['));
+  const auto levels = static_cast<std::size_t>(31 - steps + choices.between(0, 30));
+  *number.tree = json_literal(std::string(levels + 1, '[') + std::string(levels + 1, ']'));
   return {write_json(choices, file.tree).text, std::nullopt};
 }
 

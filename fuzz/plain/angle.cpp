@@ -2,6 +2,8 @@
 
 #include <mpfr.h>
 
+#include "torse/fuzz/plain/length.hpp"
+
 namespace torse::fuzz::plain {
 namespace {
 
@@ -13,8 +15,7 @@ Vector vector(const Vector& x, const Vector& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
-/// The point of a row and its derivative by the quotient rule.
-Vector point_of(const Row& x) { return {x[1] / x[0], x[2] / x[0], x[3] / x[0]}; }
+/// The derivative of the point of a row by the quotient rule.
 Vector speed_of(const Row& x, const Row& dx) {
   Vector v;
   for (int j = 0; j < 3; ++j) v[j] = (dx[j + 1] * x[0] - dx[0] * x[j + 1]) / (x[0] * x[0]);

@@ -54,7 +54,28 @@ class Oracle {
     return reasons;
   }
 
+  /// A weight that changes its sign between two parameters of a surface has a pole between them.
+  void check_signs(const std::vector<SingularSet>& sets, std::vector<Rational> sorted) const {
+    for (std::size_t j = 0; j < pieces_.size(); ++j) {
+      if (pieces_[j].sweep != Sweep::surface) continue;
+      for (const plain::Poly* weight : {&strip_.p.rows[j][0], &strip_.q.rows[j][0]}) {
+        for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
+          if (sorted[i] < pieces_[j].begin || pieces_[j].end < sorted[i + 1]) continue;
+          const int change = plain::value(*weight, sorted[i]).sign() * plain::value(*weight, sorted[i + 1]).sign();
+          require(change >= 0 || pole_between(sets, sorted[i], sorted[i + 1]), "a pole is not listed");
+        }
+      }
+    }
+  }
+
  private:
+  static bool pole_between(const std::vector<SingularSet>& sets, const Rational& from, const Rational& to) {
+    for (const SingularSet& set : sets) {
+      if (set.reason == Singularity::pole && from <= set.from.root.upper && set.from.root.lower <= to) return true;
+    }
+    return false;
+  }
+
   plain::Strip strip_;
   const std::vector<PieceFunctions<Rational>>& pieces_;
 };
@@ -124,6 +145,7 @@ void SingularParameters::check(const In& in, Labels& labels) {
   std::vector<Rational> sorted = parameters;
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i) parameters.push_back((sorted[i] + sorted[i + 1]) / Rational(2));
+  oracle.check_signs(sets, sorted);
   for (const Rational& t : parameters) check_parameter(sets, oracle, t);
 }
 

@@ -93,6 +93,14 @@ void check_class(const Net<4>& net) {
   check_common(net, found);
 }
 
+/// Moves the last point of d, so that the determinant of the last piece begins with coefficients 0.
+template <int D>
+void move_last(Choices& choices, Net<D>& net) {
+  Net<D> moved{.knots = net.knots, .c = net.c, .d = net.d, .developable = false, .klass = "none", .made = "moved last"};
+  moved.d.back()[D - 1 - choices.between(0, 2)] += Rational(1);
+  if (!plain::holds_by_samples(plain::strip_of(moved.knots, moved.c, moved.d))) net = std::move(moved);
+}
+
 Net<4> in_rows(const Net<3>& net) { return with_weights(net); }
 const Net<4>& in_rows(const Net<4>& net) { return net; }
 
@@ -106,17 +114,18 @@ const PropertyInfo& VerdictTruth<3>::info() {
       "construction, the witness is the first nonzero Bernstein coefficient with its value, and the class, vertex and "
       "direction are the true ones",
       15,
-      {"class=plane", "class=cylinder", "class=cone", "class=tangent", "class=none", "miss=to 20"}};
+      {"class=plane", "class=cylinder", "class=cone", "class=tangent", "class=none", "miss=to 20", "witness=0",
+       "witness=2"}};
   return info;
 }
 
 template <>
 const PropertyInfo& VerdictTruth<4>::info() {
-  static const PropertyInfo info{
-      "verdict.rational_truth",
-      "the same of homogeneous rows with any weights",
-      8,
-      {"class=plane", "class=cylinder", "class=cone", "class=tangent", "class=none", "miss=to 20"}};
+  static const PropertyInfo info{"verdict.rational_truth",
+                                 "the same of homogeneous rows with any weights",
+                                 8,
+                                 {"class=plane", "class=cylinder", "class=cone", "class=tangent", "class=none",
+                                  "miss=to 20", "witness=0", "witness=2"}};
   return info;
 }
 
@@ -128,13 +137,15 @@ typename VerdictTruth<D>::In VerdictTruth<D>::draw(Choices& choices, const Scale
   } else {
     net = draw_row_net(choices, scale);
   }
+  if (net.developable && choices.once_in(5)) move_last(choices, net);
   add_net_labels(labels, net);
   return net;
 }
 
 template <int D>
-void VerdictTruth<D>::check(const In& net, Labels&) {
+void VerdictTruth<D>::check(const In& net, Labels& labels) {
   const std::optional<Witness> truth = plain_witness(net);
+  if (truth) labels.add("witness", truth->coefficient < 2 ? truth->coefficient : 2);
   require(truth.has_value() != net.developable, "the determinant contradicts the construction");
   require(same(find_witness<Rational, D>(net.knots, net.c, net.d), truth), "find_witness is wrong");
   require(same(find_witness_over_q<D>(net.knots, net.c, net.d), truth), "find_witness_over_q is wrong");

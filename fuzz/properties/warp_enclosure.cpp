@@ -7,6 +7,7 @@
 #include "torse/exact/warp/max_warp.hpp"
 #include "torse/exact/warp/piece_bounds.hpp"
 #include "torse/fuzz/draw/numbers.hpp"
+#include "torse/fuzz/draw/rough.hpp"
 #include "torse/fuzz/plain/angle.hpp"
 
 namespace torse::fuzz {
@@ -163,18 +164,6 @@ void round_to_doubles(Net<D>& net) {
   } catch (const InvalidInput&) {
     throw Discard("knots that are the same double");
   }
-}
-
-/// Moves every coordinate of d by up to 2^-k, so that the surface is hardly ever developable.
-template <int D>
-void roughen(Choices& choices, Net<D>& net) {
-  const Rational step = power_of_two(-choices.pick({3, 0, 10, 30}));
-  for (Vec<Rational, D>& x : net.d) {
-    for (int j = D - 3; j < D; ++j) x[j] += step * Rational(choices.between(-8, 8)) / Rational(8);
-  }
-  net = {.knots = net.knots, .c = net.c, .d = net.d, .made = "rough"};
-  net.developable = plain::holds_by_samples(plain::strip_of(net.knots, net.c, net.d));
-  net.klass = net.developable ? "unknown" : "none";
 }
 
 template <int D>
