@@ -84,7 +84,7 @@ const PropertyInfo& BallVerdict::info() {
       "verdict.balls",
       "balls and intervals around a net contain its determinant; where they decide, they "
       "decide what is true",
-      10,
+      6,
       {"ball=refuted", "ball=open", "interval=refuted", "interval=open", "class=none", "class=tangent", "miss=to 20"}};
   return info;
 }

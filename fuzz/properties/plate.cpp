@@ -178,7 +178,7 @@ PlateBounds::In PlateBounds::draw(Choices& choices, const Scale& scale, Labels& 
   }
   if (!tame(in.net)) throw Discard("a wild surface");
   add_net_labels(labels, in.net);
-  in.digits = choices.between(1, 3);
+  in.digits = choices.between(1, 2);
   in.marks = choices.between(1, 4);
   in.mirrored = choices.once_in(2);
   return in;

@@ -123,7 +123,7 @@ template <>
 const PropertyInfo& VerdictTruth<4>::info() {
   static const PropertyInfo info{"verdict.rational_truth",
                                  "the same of homogeneous rows with any weights",
-                                 8,
+                                 6,
                                  {"class=plane", "class=cylinder", "class=cone", "class=tangent", "class=none",
                                   "miss=to 20", "witness=0", "witness=2"}};
   return info;
