@@ -132,10 +132,9 @@ class WarpRun {
     std::vector<int> open = rounded_stage(u_.proper_pieces());
     if (!done(open)) open = ball_stage(open);
     if (!done(open)) open = exact_stage(open);
-    if (!open.empty()) {
-      record_.complete = false;
-      record_.upper = detail::infinity;
-    }
+    if (!open.empty()) record_.upper = detail::infinity;
+    // Scaled values (settle_exactly) may leave the range of doubles where they differ by more than that.
+    if (record_.upper == detail::infinity) record_.complete = false;
   }
 
   /// The answer to the limit.
