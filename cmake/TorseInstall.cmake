@@ -8,7 +8,7 @@ function(torse_install target component folders)
     if(EXISTS "${PROJECT_SOURCE_DIR}/${folder}")
       cmake_path(GET folder FILENAME name)
       install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/torse/${name}"
-              FILES_MATCHING PATTERN "*.hpp" PATTERN coq EXCLUDE)
+              FILES_MATCHING PATTERN "*.hpp" PATTERN coq EXCLUDE PATTERN targets EXCLUDE)
     endif()
   endforeach()
   install(TARGETS ${target} EXPORT torse-${component} ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")

@@ -5,6 +5,7 @@
 #   torse_program(TARGET FOLDER NAME N LINK .) the program <build>/N; all but main.cpp is a library, so tests reach it
 #   torse_plugin(TARGET FOLDER OF PROGRAM LINK ...)  a module of FOLDER/**/*.cpp beside the program, which opens it at run time
 #   torse_tests(TARGET FOLDER LINK ...)        one GoogleTest program of FOLDER/**/*.cpp, each test known to ctest
+#   torse_fuzz_targets(FOLDER CORPUS LINK ...) one libFuzzer program for each file; ctest runs its corpus and fuzzes for 2 seconds
 #   torse_benchmarks(FOLDER LINK ...)          one program for each file
 #   torse_peer(BENCHMARK NAME)                 a library to compare with, where it is found
 
@@ -25,6 +26,9 @@ function(torse_options target)
     target_compile_options(${target} PRIVATE ${sanitize} -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE ${sanitize})
   endif()
+  if(TORSE_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
   if(TORSE_COVERAGE)
     target_compile_options(${target} PRIVATE --coverage)
     target_link_options(${target} PRIVATE --coverage)
@@ -34,7 +38,7 @@ endfunction()
 function(torse_library target folder)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" LINK)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${folder}/*.cpp")
-  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$|/targets/")
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$|/fuzz/targets/")
   string(REPLACE "torse_" "" name ${target})
   if(sources)
     add_library(${target} STATIC ${sources})
@@ -88,6 +92,31 @@ function(torse_tests target folder)
   torse_options(${target})
   string(REGEX REPLACE "^test_" "" label ${target})
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${label}: PROPERTIES LABELS ${label} ENVIRONMENT RC_PARAMS=seed=1)
+endfunction()
+
+function(torse_fuzz_targets folder corpus)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" LINK)
+  file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
+  foreach(source IN LISTS sources)
+    cmake_path(GET source STEM stem)
+    set(target fuzz_${stem})
+    add_executable(${target} ${source})
+    target_link_libraries(${target} PRIVATE ${arg_LINK})
+    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+    target_compile_definitions(${target} PRIVATE "TORSE_SOURCE_PATH=\"${PROJECT_SOURCE_DIR}\"" "TORSE_BUILD_PATH=\"${PROJECT_BINARY_DIR}\"")
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME ${stem} RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/targets")
+    torse_options(${target})
+    if(TARGET torse_cad)
+      add_dependencies(${target} torse_cad)
+    endif()
+    # New inputs go to the first folder, never into the tree.
+    set(scratch "${PROJECT_BINARY_DIR}/tested/${stem}")
+    set(seeds "${PROJECT_SOURCE_DIR}/${corpus}/${stem}")
+    file(MAKE_DIRECTORY "${scratch}")
+    add_test(NAME targets:${stem} COMMAND ${target} -max_total_time=2 -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3
+             "-artifact_prefix=${scratch}-" "${scratch}" "${seeds}")
+    set_tests_properties(targets:${stem} PROPERTIES LABELS targets)
+  endforeach()
 endfunction()
 
 function(torse_benchmarks folder)

@@ -28,8 +28,10 @@ using Clock = std::chrono::steady_clock;
 
 /// Whether this program runs under AddressSanitizer, whose shadow memory needs more address space than any limit
 /// allows.
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
 #else
 constexpr bool sanitized = false;
 #endif

@@ -4,6 +4,7 @@
 #   exact/decide and the other folders of exact that are no arithmetics are a layer of their own, above developable and exact
 #   src/cad, the plugin, knows io only and is included by nobody; it alone may use OpenCASCADE
 #   src/mpi, the other plugin, knows fuzz/campaign/ranks.hpp only and alone may use MPI; SQLite is for fuzz/campaign
+#   fuzz/targets are programs above all of them
 #   our own headers have one spelling, "torse/<layer>/..."; everything in quotes is ours
 #   src without cli uses the standard library and Eigen (io: nlohmann too), so no GMP, MPFR, FLINT, Arb or Boost
 set -eu
@@ -25,7 +26,7 @@ BEGIN {
   may["exact"] = may["algebra"] " exact"
   may["decide"] = may["developable"] " exact decide"
   may["proofs"] = may["fuzz"] = may["io"] " exact decide proofs fuzz"
-  may["cli"] = may["proofs"] " cli"
+  may["cli"] = may["targets"] = may["proofs"] " cli"
 }
 function arithmetic(folder) { return folder ~ /^(ball|bigfloat|instrumented|modular|rational|roots|symbolic)$/ }
 function wrong(reason) { print file ":" row ": " reason; ++violations }
@@ -55,6 +56,7 @@ function check(layer, name, own,   part) {
   split(layer, part, "/")
   if (part[1] == "exact" && !arithmetic(part[2])) layer = "decide"
   sub(/\/.*/, "", layer)
+  if (where ~ /^fuzz\/targets\//) layer = "targets"
   if (!(layer in may)) { row = 1; wrong("no such layer: " layer); next }
   ++files
   for (row = 1; (getline text < file) > 0; ++row)
