@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "torse/exact/warp/max_warp.hpp"
@@ -103,7 +104,7 @@ void check_enclosure(const typename WarpEnclosures<D>::In& in, const KnotList<S>
   require(warp.upper > 0 || developable, "0 for a surface that is not developable");
   require(warp.upper == 0 || !developable || (!warp.complete && in.intervals < WarpOptions{}.intervals),
           "more than 0 for a developable surface");
-  if (warp.complete) {
+  if (warp.complete && warp.upper >= std::numeric_limits<double>::min()) {
     require(warp.upper - warp.lower <= options.tolerance * warp.upper, "the bounds are wider than promised");
   }
   found.push_back(warp);
