@@ -45,7 +45,7 @@ struct WarpEnclosure {
   std::vector<WarpExclusion> exclusions;  ///< all of them, unless every piece they are on is developable
   WarpStage stage = WarpStage::rounded;   ///< the last one that was needed
   long intervals = 0;                     ///< sub-intervals looked at
-  bool complete = true;                   ///< the ends agree to the tolerance, or to 2^-1022; false where the budget ran out
+  bool complete = true;  ///< the ends agree to the tolerance, or to 2^-1022; false where the budget ran out
 };
 
 /// Encloses the largest warp angle over all pieces of positive length. D = 3: points of a polynomial surface, D = 4:
