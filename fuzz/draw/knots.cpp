@@ -16,7 +16,7 @@ Rational draw_step(Choices& choices, const Scale& scale, Steps steps) {
   if (steps == Steps::one) return Rational(1);
   if (steps == Steps::integer) return Rational(1 + choices.between(0, 4));
   if (steps == Steps::fraction) return draw_positive(choices, scale);
-  const int e = choices.between(0, choices.pick({40, 200, 500}));
+  const int e = choices.between(0, choices.pick({40, 200, std::min(504, 42 * scale.bits)}));
   return power_of_two(choices.once_in(2) ? e : -e);
 }
 
@@ -50,7 +50,7 @@ KnotList<Rational> draw_knots(Choices& choices, const Scale& scale, int degree) 
     const bool may_stand = run < degree && !shape.moves_at(i) &&
                            !(i == shape.size - degree && list.back() == list[static_cast<std::size_t>(degree) - 1]);
     const bool stands = may_stand && (shape.clamped_at(i) || (shape.repeats && !choices.once_in(3)));
-    list.push_back(stands ? list.back() : list.back() + draw_step(choices, scale, steps));
+    list.push_back(stands ? list.back() : list.back() + draw_step(choices, lean(scale, shape.size), steps));
     run = stands ? run + 1 : 1;
   }
   return {degree, std::move(list)};

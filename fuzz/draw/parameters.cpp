@@ -22,7 +22,8 @@ Rational signed_power(Choices& choices, int exponent) {
 
 }  // namespace
 
-Rational draw_parameter(Choices& choices, const Scale& scale, const KnotList<Rational>& u) {
+Rational draw_parameter(Choices& choices, const Scale& largest, const KnotList<Rational>& u) {
+  const Scale scale = lean(largest, u.size());
   switch (choices.below(8)) {
     case 0:
     case 1:

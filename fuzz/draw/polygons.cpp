@@ -50,7 +50,8 @@ Point3 draw_nonzero_vector(Choices& choices, const Scale& scale) {
   return x;
 }
 
-std::vector<Point3> draw_polygon(Choices& choices, const Scale& scale, int count) {
+std::vector<Point3> draw_polygon(Choices& choices, const Scale& largest, int count) {
+  const Scale scale = lean(largest, count);
   const std::uint64_t kind = choices.below(10);
   const std::uint64_t coordinates = choices.below(5);
   // 0 to 5 are general, 6 and 7 repeat points, 8 lies on a line, 9 in a plane.

@@ -31,7 +31,7 @@ Rational size(const Rational& x) { return x.sign() < 0 ? -x : x; }
 std::vector<Rational> draw_weights(Choices& choices, const Scale& scale, int count) {
   const std::uint64_t kind = choices.below(6);
   std::vector<Rational> weights;
-  for (int i = 0; i < count; ++i) weights.push_back(draw_weight(choices, scale, kind));
+  for (int i = 0; i < count; ++i) weights.push_back(draw_weight(choices, lean(scale, count), kind));
   return weights;
 }
 
