@@ -40,6 +40,7 @@ class Leader {
  public:
   Leader(Store& store, const Plan& plan, const RunInfo& run, const Work& work, Ranks* ranks)
       : store_(store),
+        plan_(plan),
         run_(run),
         work_(work),
         messages_(ranks != nullptr),
@@ -59,6 +60,7 @@ class Leader {
       commit();
       committed = Clock::now();
       if (advanced) advanced(advance_);
+      if (!done) look_for_overdue();
     }
     if (defect_) std::rethrow_exception(defect_);
     return {advance_, schedule_.empty(), seconds()};
@@ -79,6 +81,16 @@ class Leader {
       if (!defect_) defect_ = std::current_exception();
     }
     std::this_thread::sleep_for(messages_ ? pause_with_messages : pause);
+  }
+
+  /// What does not end is a finding, too.
+  void look_for_overdue() {
+    if (!work_.time || !work_.overdue || Clock::now() - start_ < *work_.time + work_.grace) return;
+    std::string names;
+    for (const Unit& unit : workers_.at_work()) {
+      names += (names.empty() ? "" : "; ") + unit_name(plan_.series(unit.property), unit.seed);
+    }
+    std::exchange(work_.overdue, {})(names.empty() ? "another process" : names);
   }
 
   void commit() {
@@ -104,6 +116,7 @@ class Leader {
   }
 
   Store& store_;
+  const Plan& plan_;
   RunInfo run_;
   Work work_;
   bool messages_;

@@ -20,6 +20,9 @@ struct Work {
   unsigned jobs = 1;  ///< threads of this process
   /// After this time no more units are begun.
   std::optional<std::chrono::duration<double>> time{};
+  /// Called once, when so much more time has passed and units have not ended, with their names.
+  std::function<void(const std::string&)> overdue{};
+  std::chrono::duration<double> grace = std::chrono::minutes(1);
 };
 
 /// How far a run is.

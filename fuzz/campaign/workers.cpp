@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "torse/exact/symbolic/thread_cache.hpp"
+#include "torse/fuzz/campaign/crash.hpp"
 #include "torse/scalar/errors.hpp"
 
 namespace torse::fuzz {
@@ -26,6 +27,7 @@ std::int64_t thread_microseconds() {
 
 UnitResult run_unit(const Plan& plan, const Unit& unit) {
   UnitResult result{plan.series(unit.property), unit.seed, {}, 0};
+  const UnitAtWork named(unit_name(result.series, unit.seed));
   const std::int64_t start = thread_microseconds();
   try {
     result.tally = run_seed(*plan.properties[unit.property], plan.effort, unit.seed);
@@ -41,6 +43,7 @@ UnitResult run_unit(const Plan& plan, const Unit& unit) {
 Workers::Workers(const Plan& plan, unsigned jobs) : plan_(plan), jobs_(std::max(1U, jobs)) {
   for (std::size_t i = 0; i < jobs_; ++i) {
     threads_.emplace_back([this] {
+      const SignalStack stack;
       work();
       release_flint_cache();
     });
@@ -84,7 +87,12 @@ std::vector<UnitResult> Workers::take(std::chrono::milliseconds wait) {
 
 bool Workers::idle() {
   const std::lock_guard lock(mutex_);
-  return queue_.empty() && at_work_ == 0 && results_.empty() && !defect_;
+  return queue_.empty() && at_work_.empty() && results_.empty() && !defect_;
+}
+
+std::vector<Unit> Workers::at_work() {
+  const std::lock_guard lock(mutex_);
+  return {at_work_.begin(), at_work_.end()};
 }
 
 void Workers::work() {
@@ -94,7 +102,7 @@ void Workers::work() {
     if (stop_) return;
     const Unit unit = queue_.front();
     queue_.pop_front();
-    ++at_work_;
+    const auto place = at_work_.insert(at_work_.end(), unit);
     lock.unlock();
     UnitResult result;
     std::exception_ptr defect;
@@ -105,7 +113,7 @@ void Workers::work() {
       defect = std::current_exception();
     }
     lock.lock();
-    --at_work_;
+    at_work_.erase(place);
     spent_ += Clock::now() - start;
     ++finished_;
     if (defect) {

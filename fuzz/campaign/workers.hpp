@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <deque>
 #include <exception>
+#include <list>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -32,6 +33,8 @@ class Workers {
   std::vector<UnitResult> take(std::chrono::milliseconds wait);
   /// Whether all that was given has been taken.
   bool idle();
+  /// The units that have begun and not ended.
+  std::vector<Unit> at_work();
 
  private:
   void work();
@@ -42,7 +45,7 @@ class Workers {
   std::condition_variable more_work_;
   std::condition_variable more_results_;
   std::deque<Unit> queue_;
-  std::size_t at_work_ = 0;
+  std::list<Unit> at_work_;
   std::vector<UnitResult> results_;
   std::exception_ptr defect_;
   std::chrono::steady_clock::duration spent_{};

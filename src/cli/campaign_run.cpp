@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/version.hpp"
 #include "torse/fuzz/campaign/campaign.hpp"
+#include "torse/fuzz/campaign/crash.hpp"
 #include "torse/fuzz/properties.hpp"
 #include "torse/io/file.hpp"
 #include "torse/proofs/report.hpp"
@@ -166,12 +168,20 @@ int report(const Results& results, const RunOptions& options, const fuzz::Plan& 
   return code;
 }
 
+/// Ends the program, whose threads cannot be ended: all that was finished is stored.
+[[noreturn]] void end_overdue(const std::string& names) {
+  print_error("does not end, a minute after the time of --minutes: " + names);
+  std::_Exit(exit_code::refuted);
+}
+
 int run_campaign(const RunOptions& options) {
   const fuzz::Plan plan = plan_of(options);
   fuzz::Ranks* const ranks = ranks_of_environment();
   fuzz::Work work;
   work.jobs = jobs_of(options, ranks);
   if (options.minutes) work.time = std::chrono::duration<double>(*options.minutes * 60);
+  work.overdue = end_overdue;
+  fuzz::report_crashes();
   if (ranks != nullptr && ranks->rank() > 0) {
     fuzz::follow(*ranks, plan, build_id(), work.jobs);
     return exit_code::success;

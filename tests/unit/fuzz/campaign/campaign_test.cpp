@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
 #include <new>
 #include <thread>
 
+#include "torse/fuzz/campaign/crash.hpp"
 #include "torse/fuzz/campaign/messages.hpp"
 #include "torse/io/document.hpp"
 #include "unit/fuzz/campaign/support.hpp"
@@ -17,6 +21,7 @@ using Open = Database::Open;
 using test::Digits;
 using test::equal;
 using test::Hall;
+using test::Numbers;
 using test::plan_of;
 using test::run_of;
 
@@ -24,7 +29,7 @@ class Campaigns : public ::testing::Test {
  protected:
   Store store(const std::string& name) const { return {(scratch_ / name).string(), Open::create}; }
   static Ran run(Store& store, const Plan& plan, unsigned jobs, Ranks* ranks = nullptr) {
-    return run_campaign(store, plan, run_of(store.file() + std::to_string(++token), "b"), {jobs, {}}, {}, ranks);
+    return run_campaign(store, plan, run_of(store.file() + std::to_string(++token), "b"), {jobs, {}, {}}, {}, ranks);
   }
   /// A run by several processes: `others` say what each but the first one does.
   static Ran run_by(Hall& hall, int size, Store& store, const Plan& plan, const std::string& builds = "b") {
@@ -59,6 +64,35 @@ struct Broken : Digits {
     return info;
   }
   static In draw(Choices&, const Scale&, Labels&) { throw std::bad_alloc(); }
+};
+
+/// Waits until it is released.
+struct Endless : Digits {
+  static inline std::atomic<bool> released = false;
+  static const PropertyInfo& info() {
+    static const PropertyInfo info{"test.endless", "true", 1, {}};
+    return info;
+  }
+  static void check(const In&, Labels&) {
+    while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+};
+
+/// Ends the process by a signal, or by an overflow of the stack.
+struct Crash : Digits {
+  static const PropertyInfo& info() {
+    static const PropertyInfo info{"test.crash", "false", 1, {}};
+    return info;
+  }
+  static int deep(const volatile char* above) {
+    volatile char here[1024] = {};
+    here[0] = above == nullptr ? 0 : *above;
+    return here[0] == 1 ? 0 : deep(here) + here[1];
+  }
+  static void check(const In& in, Labels&) {
+    if (in.x > 500000) std::raise(SIGSEGV);
+    std::exit(deep(nullptr));
+  }
 };
 
 TEST_F(Campaigns, HoldWhatRunSeedSays) {
@@ -115,7 +149,7 @@ TEST_F(Campaigns, AreTheSameByAnyNumberOfThreadsShardsAndProcesses) {
 TEST_F(Campaigns, GoOnWhereTheyWereStopped) {
   const Plan plan = plan_of({1, 40});
   Store parts = store("parts");
-  const Ran none = run_campaign(parts, plan, run_of("t", "b"), {2, std::chrono::duration<double>(0)}, {}, nullptr);
+  const Ran none = run_campaign(parts, plan, run_of("t", "b"), {2, std::chrono::duration<double>(0), {}}, {}, nullptr);
   EXPECT_FALSE(none.complete);
   EXPECT_EQ(none.advance.units, 0U);
   EXPECT_EQ(none.advance.left, 80U);
@@ -160,6 +194,38 @@ TEST_F(Campaigns, AUnitThatCannotBeRunIsNamedAndTheOthersAreStored) {
       EXPECT_NE(std::string(error.what()).find("test.broken, seed "), std::string::npos) << error.what();
     }
     EXPECT_TRUE(hall.in_order());
+  }
+}
+
+TEST_F(Campaigns, AUnitThatDoesNotEndIsNamed) {
+  Store a = store("a");
+  Plan plan = plan_of({7, 9});
+  plan.properties = {&property<Numbers>(), &property<Endless>()};
+  std::string names;
+  const auto overdue = [&](const std::string& named) {
+    EXPECT_EQ(names, "");
+    names = named;
+    EXPECT_GT(a.unit_count(plan.series(0), all_seeds), 0U);  // what is finished is stored by then
+    Endless::released = true;
+  };
+  const Work work{1, std::chrono::duration<double>(0.3), overdue, std::chrono::duration<double>(0.3)};
+  run_campaign(a, plan, run_of("t", "b"), work, {}, nullptr);
+  EXPECT_EQ(names.substr(0, 19), "test.endless, seed ");
+}
+
+TEST_F(Campaigns, ACrashNamesItsUnit) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    Plan plan = plan_of({seed, seed});
+    plan.properties = {&property<Crash>()};
+    const std::string words = "crashed in test.crash, seed " + std::to_string(seed) + ", quick effort";
+    EXPECT_DEATH(
+        {
+          report_crashes();
+          Store a = store("a");
+          run(a, plan, 1);
+        },
+        words);
   }
 }
 
