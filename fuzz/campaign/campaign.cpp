@@ -63,7 +63,7 @@ class Leader {
       if (!done) look_for_overdue();
     }
     if (defect_) std::rethrow_exception(defect_);
-    return {advance_, schedule_.empty(), seconds()};
+    return {advance_, schedule_.empty() && !dropped_, seconds()};
   }
 
  private:
@@ -72,13 +72,21 @@ class Leader {
   /// Results of threads and processes, and new work for them. The first error ends the handing out.
   void collect() {
     const bool stop = defect_ != nullptr || (work_.time && Clock::now() - start_ >= *work_.time);
+    const std::size_t known = results_.size();
     try {
-      if (!stop) workers_.give(schedule_.take(workers_.wanted()));
+      if (stop) {
+        dropped_ = workers_.drop() || dropped_;
+      } else {
+        workers_.give(schedule_.take(workers_.wanted()));
+      }
       workers_done_ = defect_ != nullptr || workers_.idle();
       if (!workers_done_) append(results_, workers_.take(messages_ ? pause_with_messages : pause));
       crew_.serve(schedule_, stop, results_);
     } catch (const Error&) {
       if (!defect_) defect_ = std::current_exception();
+    }
+    for (std::size_t i = known; i < results_.size(); ++i) {
+      schedule_.spent(plan_.place(results_[i].series), results_[i].microseconds);
     }
     std::this_thread::sleep_for(messages_ ? pause_with_messages : pause);
   }
@@ -126,6 +134,7 @@ class Leader {
   Crew crew_;
   Workers workers_;
   bool workers_done_ = false;
+  bool dropped_ = false;
   std::vector<UnitResult> results_;
   std::exception_ptr defect_;
 };

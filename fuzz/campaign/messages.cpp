@@ -89,12 +89,6 @@ class Reader {
   std::string_view bytes_;
 };
 
-std::size_t place_of(const Plan& plan, const Series& series) {
-  std::size_t place = 0;
-  while (plan.properties[place]->info().name != series.property) ++place;
-  return place;
-}
-
 void put_tally(Writer& writer, const Tally& tally) {
   for (const std::uint64_t number : {tally.cases, tally.failed, tally.discarded}) writer.put(number);
   writer.put(tally.labels);
@@ -139,7 +133,7 @@ std::string to_bytes(const Report& report, const Plan& plan) {
   writer.put(report.error);
   writer.put(report.results.size());
   for (const UnitResult& result : report.results) {
-    writer.put(place_of(plan, result.series));
+    writer.put(plan.place(result.series));
     writer.put(result.seed);
     writer.put(static_cast<std::uint64_t>(result.microseconds));
     put_tally(writer, result.tally);

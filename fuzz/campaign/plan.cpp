@@ -31,6 +31,12 @@ Series Plan::series(std::size_t property) const {
   return {std::string(properties[property]->info().name), std::string(proofs::effort_name(effort))};
 }
 
+std::size_t Plan::place(const Series& series) const {
+  std::size_t place = 0;
+  while (properties[place]->info().name != series.property) ++place;
+  return place;
+}
+
 std::string Plan::text() const {
   std::string text(proofs::effort_name(effort));
   for (const Property* property : properties) {

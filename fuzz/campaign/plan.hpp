@@ -37,6 +37,8 @@ struct Plan {
   Shard shard;
 
   Series series(std::size_t property) const;
+  /// The place of a property of the plan.
+  std::size_t place(const Series& series) const;
   /// The properties, their batches and the effort, in words: what two processes must agree on.
   std::string text() const;
 };

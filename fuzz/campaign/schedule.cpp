@@ -16,12 +16,13 @@ std::uint64_t first_of(const Shard& shard, std::size_t property, std::uint64_t f
 }  // namespace
 
 Schedule::Schedule(const Plan& plan, const std::vector<SeedSet>& settled)
-    : step_(plan.shard.total), missing_(plan.properties.size()) {
+    : step_(plan.shard.total), shares_(plan.properties.size()) {
   for (std::size_t p = 0; p < plan.properties.size(); ++p) {
+    std::vector<Run>& missing = shares_[p].missing;
     const auto add = [&](std::uint64_t from, std::uint64_t to) {
       const std::uint64_t first = first_of(plan.shard, p, from);
       if (first > to) return;
-      missing_[p].push_back({first, (to - first) / step_ + 1});
+      missing.push_back({first, (to - first) / step_ + 1});
     };
     std::uint64_t next = plan.seeds.first;
     for (const auto& [from, to] : settled[p].intervals()) {
@@ -29,31 +30,43 @@ Schedule::Schedule(const Plan& plan, const std::vector<SeedSet>& settled)
       next = to + 1;
     }
     if (next <= plan.seeds.last) add(next, plan.seeds.last);
-    std::reverse(missing_[p].begin(), missing_[p].end());
-    if (!missing_[p].empty()) ++open_;
+    std::reverse(missing.begin(), missing.end());
+    if (!missing.empty()) ++open_;
   }
+}
+
+double Schedule::Share::time() const {
+  constexpr double unknown = 1e6;
+  return microseconds + (given - ended) * (ended > 0 ? microseconds / ended : unknown);
 }
 
 std::vector<Unit> Schedule::take(std::size_t count) {
   std::vector<Unit> units;
   while (units.size() < count && !empty()) {
-    const std::size_t property = turn_++ % missing_.size();
-    std::vector<Run>& runs = missing_[property];
-    if (runs.empty()) continue;
-    Run& run = runs.back();
-    units.push_back({property, run.first});
+    Share* next = nullptr;
+    for (Share& share : shares_) {
+      if (!share.missing.empty() && (next == nullptr || share.time() < next->time())) next = &share;
+    }
+    Run& run = next->missing.back();
+    units.push_back({static_cast<std::size_t>(next - shares_.data()), run.first});
+    ++next->given;
     run.first += step_;
-    if (--run.count == 0) runs.pop_back();
-    if (runs.empty()) --open_;
+    if (--run.count == 0) next->missing.pop_back();
+    if (next->missing.empty()) --open_;
   }
   return units;
+}
+
+void Schedule::spent(std::size_t property, std::int64_t microseconds) {
+  shares_[property].microseconds += static_cast<double>(microseconds);
+  ++shares_[property].ended;
 }
 
 std::uint64_t Schedule::left() const {
   constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t sum = 0;
-  for (const std::vector<Run>& runs : missing_) {
-    for (const Run& run : runs) sum = run.count > most - sum ? most : sum + run.count;
+  for (const Share& share : shares_) {
+    for (const Run& run : share.missing) sum = run.count > most - sum ? most : sum + run.count;
   }
   return sum;
 }

@@ -78,6 +78,13 @@ void Workers::give(const std::vector<Unit>& units) {
   more_work_.notify_all();
 }
 
+bool Workers::drop() {
+  const std::lock_guard lock(mutex_);
+  const bool any = !queue_.empty();
+  queue_.clear();
+  return any;
+}
+
 std::vector<UnitResult> Workers::take(std::chrono::milliseconds wait) {
   std::unique_lock lock(mutex_);
   more_results_.wait_for(lock, wait, [this] { return !results_.empty() || defect_; });

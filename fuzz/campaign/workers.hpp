@@ -28,6 +28,8 @@ class Workers {
   /// How many units more make a twentieth of a second of work for every thread, at least one for each.
   std::size_t wanted();
   void give(const std::vector<Unit>& units);
+  /// Forgets the units that have not begun; whether there were any.
+  bool drop();
   /// What has come out since the last call; waits for the first one so long. Throws Error for a unit that could not be
   /// run.
   std::vector<UnitResult> take(std::chrono::milliseconds wait);

@@ -20,8 +20,10 @@ using fuzz::Failure;
 constexpr std::size_t values_shown = 12;
 constexpr std::size_t failures_shown = 20;
 
-/// "x 60 (60.0%), y 40 (40.0%)", the most frequent first.
-std::string shares(const std::map<std::string, std::uint64_t>& counts, std::uint64_t all) {
+/// "x 60 (60.0%), y 40 (40.0%)", the most frequent first. A case may have a label several times, or not at all.
+std::string shares(const std::map<std::string, std::uint64_t>& counts) {
+  std::uint64_t all = 0;
+  for (const auto& [value, count] : counts) all += count;
   std::vector<std::pair<std::string, std::uint64_t>> list(counts.begin(), counts.end());
   std::ranges::stable_sort(list, std::greater(), &std::pair<std::string, std::uint64_t>::second);
   std::string text;
@@ -36,10 +38,10 @@ std::string shares(const std::map<std::string, std::uint64_t>& counts, std::uint
 void print_distribution(const Terminal& terminal, const SeriesReport& report) {
   const fuzz::Tally& tally = report.tally;
   for (const auto& [key, values] : tally.labels.counts()) {
-    terminal.print(fmt::format("  {:<22} {}\n", printable(key), shares(values, tally.cases - tally.discarded)));
+    terminal.print(fmt::format("  {:<22} {}\n", printable(key), shares(values)));
   }
   for (const auto& [key, values] : tally.discards.counts()) {
-    terminal.print(fmt::format("  {:<22} {}\n", "discarded", shares(values, tally.cases)));
+    terminal.print(fmt::format("  {:<22} {}\n", "discarded", shares(values)));
   }
 }
 

@@ -131,11 +131,11 @@ std::string closing_line(const Results& results, const RunOptions& options, cons
   }
   const auto vacuous =
       std::ranges::count_if(results.reports, [](const auto& report) { return !report.vacuous.empty(); });
-  std::string line = fmt::format("{} properties, {} seeds, {} cases: {} failed", results.reports.size(), results.stored,
+  std::string line = fmt::format("{} properties, {} units, {} cases: {} failed", results.reports.size(), results.stored,
                                  cases, failed);
   if (vacuous > 0) line += fmt::format(", {} properties vacuous", vacuous);
-  line += fmt::format(" ({} effort, seeds {}; {} of the units in this run, {:.1f} s)\n", options.effort,
-                      plan.seeds.text(), results.ran.advance.units, results.ran.seconds);
+  line += fmt::format(" ({} effort, seeds {}; {} cases in this run, {:.1f} s)\n", options.effort, plan.seeds.text(),
+                      results.ran.advance.cases, results.ran.seconds);
   if (!results.ran.complete) line += "stopped by --minutes: the same command goes on from here\n";
   return line;
 }

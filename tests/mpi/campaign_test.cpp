@@ -60,7 +60,7 @@ TEST_F(Mpi, TwoAndFourRanksComeToTheSameAsOneProcess) {
   for (const std::string ranks : {"2", "4"}) {
     const auto job = start(ranks, runs_.run("ranks" + ranks, "1..300", "1"));
     ASSERT_EQ(job->wait(), 0) << job->output();
-    EXPECT_THAT(job->output(), HasSubstr("300 seeds, 150000 cases: 0 failed"));
+    EXPECT_THAT(job->output(), HasSubstr("300 units, 150000 cases: 0 failed"));
     expect_like_one_process("ranks" + ranks);
   }
 }

@@ -149,7 +149,7 @@ TEST_F(Campaign, ReportsSayWhatWasCovered) {
   words.insert(words.end(), {"--json", runs_.file("json"), "--junit", runs_.file("junit")});
   const ProgramResult result = run(words);
   EXPECT_EQ(result.exit, 0);
-  EXPECT_THAT(result.out, HasSubstr("40 seeds, 20000 cases: 0 failed"));
+  EXPECT_THAT(result.out, HasSubstr("40 units, 20000 cases: 0 failed"));
   EXPECT_THAT(result.out, Not(HasSubstr("\r")));
   const json report = json::parse(slurp(runs_.scratch() / "json"));
   EXPECT_EQ(report["complete"], true);

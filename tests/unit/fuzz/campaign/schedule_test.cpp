@@ -65,6 +65,21 @@ TEST(Schedule, HandsOutEveryUnitOnceInTurns) {
   EXPECT_TRUE(schedule.take(1).empty());
 }
 
+TEST(Schedule, SharesTheTime) {
+  Schedule schedule(plan_of({1, 1000}), {SeedSet(), SeedSet()});
+  const std::vector<std::int64_t> microseconds{100, 3000};
+  std::vector<std::int64_t> sums{0, 0};
+  for (int i = 0; i < 310; ++i) {
+    for (const Unit& unit : schedule.take(2)) {
+      schedule.spent(unit.property, microseconds[unit.property]);
+      sums[unit.property] += microseconds[unit.property];
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(sums[0]), static_cast<double>(sums[1]), 6000);
+  EXPECT_GT(sums[0], 50000);
+  EXPECT_EQ(schedule.left(), 2000U - 620U);
+}
+
 TEST(Schedule, LeavesOutWhatIsSettled) {
   const Pairs pairs = all_of(Schedule(plan_of({1, 6}), {set_of({1, 2, 5}), set_of({1, 2, 3, 4, 6})}), 2);
   EXPECT_EQ(pairs, (Pairs{{0, 3}, {0, 4}, {0, 6}, {1, 5}}));
