@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "torse/algebra/bernstein.hpp"
@@ -63,6 +64,31 @@ TEST(RoundedForms, EncloseTheExactProducts) {
     expect_enclosed(rounded_sum(fourth, -1, fourth), 0, BinaryForm<Q>(fourth.degree()), inexact);
   }
   EXPECT_GT(inexact, 1000);
+}
+
+/// Form 0 alone, times a double, exact.
+RoundedForms<1> first(const RoundedForms<3>& x, double factor) {
+  RoundedForms<1> f(x.degree());
+  for (int i = 0; i <= x.degree(); ++i) f.at(0, i) = factor * x.at(0, i);
+  f.close(0);
+  return f;
+}
+
+TEST(RoundedForms, EncloseTheExactSumsOfExactForms) {
+  std::mt19937_64 rng(5);
+  int inexact = 0;
+  for (int round = 0; round < 200; ++round) {
+    const int degree = static_cast<int>(rng() % 6);
+    const double size = std::ldexp(1, static_cast<int>(rng() % 41) - 20);
+    const RoundedForms<1> x = first(random_forms(degree, rng), size);
+    const RoundedForms<1> y = first(random_forms(degree, rng), size * 0x1.8p-9);
+    for (const double sign : {1.0, -1.0}) {
+      const BinaryForm<Q> value = sign > 0 ? exact(x, 0) + exact(y, 0) : exact(x, 0) - exact(y, 0);
+      expect_enclosed(rounded_sum(x, sign, y), 0, value, inexact);
+      expect_enclosed(rounded_sum(y, sign, x), 0, sign > 0 ? value : exact(y, 0) - exact(x, 0), inexact);
+    }
+  }
+  EXPECT_GT(inexact, 500);
 }
 
 }  // namespace

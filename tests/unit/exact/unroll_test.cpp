@@ -381,6 +381,15 @@ TEST(Plate, PiecesThatMeetAtAnAngle) {
   EXPECT_NEAR(surface.plate(1e-4, 0, true).rulings[3].bend, -60, 1e-9);
 }
 
+TEST(Plate, MeasuresTheRulingsOfBothEndsUnasked) {
+  const Surface surface = tangent_surface();
+  const Plate plate = unroll_plate(surface.strips(), {1e-4, {}});
+  ASSERT_THAT(plate.rulings, SizeIs(2));
+  EXPECT_EQ(plate.rulings[0].t, surface.u.domain_begin());
+  EXPECT_EQ(plate.rulings[1].t, surface.u.domain_end());
+  EXPECT_EQ(plate.rulings[1].vertex, plate.parameters.size() - 1);
+}
+
 TEST(Plate, HugeTinyAndFarAway) {
   for (const double scale : {1e-60, 1.0, 1e60}) {
     std::vector<std::array<double, 3>> c{{0, 0, 0}, {1, 2, 0}, {3, 1, 0}};

@@ -126,6 +126,16 @@ TEST(MeshFile, StlHasEveryTriangle) {
   }
   EXPECT_EQ(found, in_single(expected));
   EXPECT_EQ(stl.vector(84 + 100), (MeshVector{0, 0, 1}));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const MeshVector normal = stl.vector(84 + 50 * i);
+    EXPECT_NEAR(std::hypot(normal[0], normal[1], normal[2]), 1, 1e-6);
+    for (std::size_t corner = 1; corner < 3; ++corner) {
+      MeshVector edge{};
+      for (std::size_t j = 0; j < 3; ++j) edge[j] = found[i][corner][j] - found[i][0][j];
+      const double along = normal[0] * edge[0] + normal[1] * edge[1] + normal[2] * edge[2];
+      EXPECT_NEAR(along / std::hypot(edge[0], edge[1], edge[2]), 0, 1e-6);
+    }
+  }
 }
 
 std::string from_base64(const std::string& text) {
@@ -156,6 +166,9 @@ Triangles read_mesh(const json& gltf, const Bytes& buffer, std::size_t i) {
   const json positions = accessor(primitive.at("attributes").at("POSITION"));
   const json normals = accessor(primitive.at("attributes").at("NORMAL"));
   const json indices = accessor(primitive.at("indices"));
+  const json material = gltf.at("materials").at(primitive.at("material").get<std::size_t>());
+  const json metallic = material.at("pbrMetallicRoughness").at("metallicFactor");
+  EXPECT_TRUE(metallic >= 0 && metallic <= 1) << metallic;
   EXPECT_EQ(positions.at("count"), normals.at("count"));
   EXPECT_EQ(positions.at("componentType"), 5126);
   EXPECT_EQ(indices.at("componentType"), 5125);

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "torse/exact/rational/rational.hpp"
 #include "torse/io/construct_file.hpp"
+#include "torse/io/limits.hpp"
 
 namespace torse {
 namespace {
@@ -85,6 +88,11 @@ TEST(RuledFile, NoKnotsAreOneBezierPiece) {
   const Document bezier(
       "f", with(with(ruled_text, "\"knots\": [0, 0, \"2/3\", 1, 1],", ""), "\"degree\": 2", "\"degree\": 3"));
   EXPECT_EQ(read_ruled<Q>(bezier).knots.list(), (std::vector<Q>{Q(0), Q(0), Q(0), Q(1), Q(1), Q(1)}));
+}
+
+TEST(RuledFile, ARailHasTwoPointsAtLeast) {
+  EXPECT_EQ(ruled_error("[[0, 0, 1], [1, 1, 1], [2, 0, 1], [3, 1, 1]]", "[[0, 0, 1]]"),
+            "d.points: expected 2 to " + std::to_string(limits::points) + " control points, found an array of 1");
 }
 
 TEST(RuledFile, BrokenMembersAreNamed) {

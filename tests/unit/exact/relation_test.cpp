@@ -1,0 +1,58 @@
+// The short proof finds the relation of every net that the linear construction makes (FJ07.13), for any knots, with
+// weights and without, and none where one coordinate is off.
+#include "torse/exact/decide/relation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "torse/developable/linear_net.hpp"
+#include "unit/developable/nets.hpp"
+
+namespace torse::test {
+namespace {
+
+using Row = Vec<Q, 4>;
+
+/// Which proper pieces have a short proof.
+template <int D>
+std::vector<bool> proved(const KnotList<Q>& u, const std::vector<Vec<Q, D>>& c, const std::vector<Vec<Q, D>>& d) {
+  const std::vector<Integer> integers = integer_knots(u.list());
+  RelationProver<D> prover(u.degree(), integers, c, d);
+  std::vector<bool> result;
+  for (int k : u.proper_pieces()) result.push_back(prover.prove(k));
+  return result;
+}
+
+std::vector<bool> all_of(const KnotList<Q>& u) { return std::vector<bool>(u.proper_pieces().size(), true); }
+
+/// The last vertex that acts on the last proper piece.
+std::size_t last_vertex(const KnotList<Q>& u) {
+  return static_cast<std::size_t>(u.proper_pieces().back() + u.degree() - 1);
+}
+
+TEST(RelationProver, ProvesLinearNets) {
+  for (const KnotList<Q>& u : knot_lists()) {
+    const std::vector<Point3> c = points(u.last() + 1);
+    std::vector<Point3> d = linear_net<Q, Point3>(u, c, Q(-7) / Q(3), Q(-1), point(3, 5, -7));
+    EXPECT_EQ(proved<3>(u, c, d), all_of(u));
+    if (u.degree() == 1) continue;  // two points of each rail have a relation where they are coplanar
+    d[last_vertex(u)][1] += Q(1);
+    EXPECT_FALSE(proved<3>(u, c, d).back());
+  }
+}
+
+TEST(RelationProver, ProvesLinearNetsOfHomogeneousRows) {
+  for (const KnotList<Q>& u : knot_lists()) {
+    std::vector<Row> p;
+    int weight = 1;
+    for (const Point3& x : points(u.last() + 1)) p.push_back(Row(Q(++weight % 3 + 1), x[0], x[1], x[2]));
+    std::vector<Row> q = linear_net<Q, Row>(u, p, Q(-7) / Q(3), Q(-1), Row(Q(2), Q(3), Q(5), Q(-7)));
+    for (Row& row : q) scale(row, Q(3) / Q(5));
+    EXPECT_EQ(proved<4>(u, p, q), all_of(u));
+    if (u.degree() == 1) continue;
+    q[last_vertex(u)][0] += Q(1);
+    EXPECT_FALSE(proved<4>(u, p, q).back());
+  }
+}
+
+}  // namespace
+}  // namespace torse::test
