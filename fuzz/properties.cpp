@@ -8,6 +8,7 @@
 #include "torse/fuzz/properties/file_text.hpp"
 #include "torse/fuzz/properties/functions.hpp"
 #include "torse/fuzz/properties/joined_rails.hpp"
+#include "torse/fuzz/properties/known_warp.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
 #include "torse/fuzz/properties/plate.hpp"
 #include "torse/fuzz/properties/recovery.hpp"
@@ -35,6 +36,7 @@ const std::vector<const Property*>& properties() {
       &property<FileText>(),
       &property<FunctionsOfAPatch>(),
       &property<JoinedRails>(),
+      &property<KnownWarp>(),
       &property<NearestNets>(),
       &property<NumberText>(),
       &property<PlateBounds>(),
