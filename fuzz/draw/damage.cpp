@@ -366,7 +366,7 @@ Damaged depth(Choices& choices, DrawnFile& file) {
   const std::string& place = number.place;
   // Each step of the place is one level below the object of the file.
   const auto steps = static_cast<int>(std::ranges::count(place, '.') + std::ranges::count(place, '['));
-  const auto levels = static_cast<std::size_t>(31 - steps + choices.between(0, 30));
+  const auto levels = static_cast<std::size_t>(31 - steps + choices.pick({0, 0, 1, 30}));
   *number.tree = json_literal(std::string(levels + 1, '[') + std::string(levels + 1, ']'));
   return {write_json(choices, file.tree).text, std::nullopt};
 }

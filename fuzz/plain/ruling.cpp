@@ -27,17 +27,22 @@ Row sum(const Rational& a, const Row& x, const Rational& b, const Row& y) {
   return result;
 }
 
-std::string_view singular_at(const Ruling& at) {
-  if (at.p[0].sign() == 0 || at.q[0].sign() == 0) return "pole";
-  if (parallel(at.p, at.q)) return "vanishing";
+std::optional<int> edge_side(const Ruling& at) {
   // (a, b, x, y) with a p + b q + x p' + y q' = 0 in every coordinate.
   Rows<4> coordinates;
   for (int i = 0; i < 4; ++i) coordinates.insert(Row(at.p[i], at.q[i], at.dp[i], at.dq[i]));
   const std::vector<Row> dependences = coordinates.orthogonal();
-  if (dependences.size() > 1) return "stationary";
+  if (dependences.size() != 1) return std::nullopt;
   const Row& dependence = dependences.front();
-  const Rational side = dependence[2] * at.p[0] * dependence[3] * at.q[0];
-  return side.sign() >= 0 ? "edge" : "";
+  return Rational(dependence[2] * at.p[0] * dependence[3] * at.q[0]).sign();
+}
+
+std::string_view singular_at(const Ruling& at) {
+  if (at.p[0].sign() == 0 || at.q[0].sign() == 0) return "pole";
+  if (parallel(at.p, at.q)) return "vanishing";
+  const std::optional<int> side = edge_side(at);
+  if (!side) return "stationary";
+  return *side >= 0 ? "edge" : "";
 }
 
 }  // namespace torse::fuzz::plain

@@ -89,17 +89,22 @@ const PropertyInfo& KnownWarp::info() {
       "the enclosure of the warp angle of a hyperbolic paraboloid, tiny or not, contains the exact value and is as "
       "narrow as promised; the bounds of its pieces hold; limits of 0, 30, 45, 60 and 90 degrees are decided",
       30,
-      {"h=one", "h=tiny", "h=other", "piece bound=finite", "within=yes", "within=no", "limit=attained"}};
+      {"h=near a limit", "h=tiny", "h=other", "piece bound=finite", "within=yes", "within=no", "limit=attained"}};
   return info;
 }
 
 KnownWarp::In KnownWarp::draw(Choices& choices, const Scale& scale, Labels& labels) {
   In in;
   const std::uint64_t kind = choices.below(4);
+  // Near 45, 60 and 30 degrees, 45 itself among them.
+  if (kind == 0) {
+    in.h = Rational(1) + Rational(choices.pick({0, 6, 8, 9})) / Rational(12);
+    if (choices.once_in(3)) in.h = Rational(choices.pick({7, 6})) / Rational(12);
+  }
   if (kind == 1) in.h = power_of_two(-choices.between(1, 700));
   if (kind >= 2) in.h = draw_nonzero(choices, scale);
-  labels.add("h", kind == 0 ? "one" : kind == 1 ? "tiny" : "other");
-  Rational t = draw_fraction(choices, 3);
+  labels.add("h", kind == 0 ? "near a limit" : kind == 1 ? "tiny" : "other");
+  Rational t = choices.once_in(2) ? draw_fraction(choices, 3) : Rational();
   in.knots = {t};
   for (int i = choices.between(1, scale.pieces + 2); i > 0; --i) {
     t += Rational(choices.between(1, 8)) / Rational(choices.between(1, 16));

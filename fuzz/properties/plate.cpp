@@ -146,6 +146,21 @@ void check_area(const Plate& plate) {
   require(plate.area_before.lower() <= plate.area_before.upper(), "bounds of the area in the wrong order");
 }
 
+/// The edge of regression lies between the rails nowhere: the sheet would fold over itself.
+void check_folds(const Net<4>& net) {
+  constexpr int count = 8;
+  const plain::Strip strip = plain::strip_of(net.knots, net.c, net.d);
+  for (int j = 0; j < strip.p.count(); ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const Rational& begin = strip.p.breaks[at];
+    for (int i = 1; i < count; ++i) {
+      const Rational t = begin + Rational(i) / Rational(count) * (strip.p.breaks[at + 1] - begin);
+      const plain::Ruling ruling = plain::ruling_at(strip, j, t);
+      require(plain::parallel(ruling.p, ruling.q) || plain::edge_side(ruling) != 1, "a plate that folds over itself");
+    }
+  }
+}
+
 void check_box(const Plate& plate) {
   for (const auto* rail : {&plate.c, &plate.d}) {
     for (const PlatePoint& x : rail->points) {
@@ -197,6 +212,7 @@ void PlateBounds::check(const In& in, Labels& labels) {
     check_diagonals(plate, model);
     check_area(plate);
     check_box(plate);
+    check_folds(in.net);
     require(plate.deviation <= tolerance, "the outline is farther off than the tolerance");
     labels.add("plate", "drawn");
   } catch (const InvalidInput& invalid) {

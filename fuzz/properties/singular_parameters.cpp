@@ -71,7 +71,7 @@ class Oracle {
  private:
   static bool pole_between(const std::vector<SingularSet>& sets, const Rational& from, const Rational& to) {
     for (const SingularSet& set : sets) {
-      if (set.reason == Singularity::pole && from <= set.from.root.upper && set.from.root.lower <= to) return true;
+      if (set.reason == Singularity::pole && set.from.root.lower <= to && from <= set.to.root.upper) return true;
     }
     return false;
   }

@@ -35,8 +35,10 @@ class Surface {
     return plain::sine_squared(plain::ruling_at(strip_, static_cast<int>(j), t));
   }
 
-  std::vector<Sample> samples(const std::vector<Rational>& shares) const {
+  /// At both ends of each piece too.
+  std::vector<Sample> samples(std::vector<Rational> shares) const {
     std::vector<Sample> list;
+    shares.insert(shares.end(), {Rational(0), Rational(1)});
     for (std::size_t j = 0; j < pieces_.size(); ++j) {
       for (const Rational& share : shares) {
         const Rational& begin = strip_.p.breaks[j];
