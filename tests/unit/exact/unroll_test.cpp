@@ -424,6 +424,10 @@ TEST(Obstacles, AreNamedWithTheirParameters) {
   EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 1, 0}}), rows({{0, 1, 0}, {1, 0, 0}}))),
             at(vanishing, 0.5, 0.5));
   EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 1, 0}}), rows({{0, 0, 0}, {1, 1, 0}}))), at(vanishing, 0, 1));
+  // Rails 4 t^2 - 1 apart: they cross at t = -1/2 too, outside.
+  EXPECT_EQ(
+      first_obstacle(bezier(rows({{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}}), rows({{0, -1, 0}, {0.5, -1, 0}, {1, 3, 0}}))),
+      at(vanishing, 0.5, 0.5));
   // A plane whose edge of regression comes between the rails: the D rail turns back at t = 1/2.
   EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), rows({{0, 1, 0}, {1, 1, 0}, {0, 1, 0}}))),
             at(edge, 0.5, 1));
