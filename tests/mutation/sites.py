@@ -41,7 +41,9 @@ SPACE = "::torse_mutation::"
 CONSTANT = re.compile(r"\b(?:static_assert|decltype|sizeof|alignas|noexcept|if constexpr|requires) ?(?=\()"
                       r"|(?:(?<=[\w\]])(?<!\boperator)|\btemplate )(?=<[^<=\s])")
 # Statements that only reserve or free memory: no result tells of them, the sanitizers do.
-MEMORY = re.compile(r"\w_(init|init2|clear)\(|\.(reserve|shrink_to_fit)\(")
+MEMORY = re.compile(r"\w+_(init|init2|clear)\(|[\w.>-]+\.(reserve|shrink_to_fit)\(")
+# The head of a function that must not return: without its throw it means nothing.
+NO_RETURN = re.compile(r"\[\[noreturn\]\][^;{}]*$|\bvoid [\w:]*throw_\w+\([^;{}]*$")
 NOT_MUTATED = (Kind.PARM_DECL, Kind.ENUM_DECL, Kind.TYPEDEF_DECL, Kind.TYPE_ALIAS_DECL, Kind.TYPE_ALIAS_TEMPLATE_DECL,
                Kind.STATIC_ASSERT, Kind.TYPE_REF, Kind.TEMPLATE_REF)
 FUNCTIONS = (Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.CONSTRUCTOR, Kind.DESTRUCTOR, Kind.CONVERSION_FUNCTION,
@@ -220,12 +222,14 @@ class Finder:
             other = {"min": "max", "max": "min"}[extreme.group(1)]
             changed = [(start, at), other, (at + 3, end)]
             return self.add(node, switch(changed, [(start, end)]), [Mutant("min_max", at, changed)])
+        if self.text.startswith("std::swap(", start):
+            return
         arguments = list(node.get_arguments())
         if len(arguments) != 2:
             return
         first, second = (self.range(a) for a in arguments)
-        types = {re.sub(r"\bconst\b|&|\s", "", a.type.spelling) for a in arguments}
-        if len(types) != 1 or "<dependenttype>" in types or self.text[slice(*first)] == self.text[slice(*second)]:
+        types = {re.sub(r"^const ((std::)?\w+)$", r"\1", a.type.spelling) for a in arguments}
+        if len(types) != 1 or "<dependent type>" in types or self.text[slice(*first)] == self.text[slice(*second)]:
             return
         if self.text[second[1]:end].strip() != ")" or self.text[:first[0]].rstrip()[-1:] != "(":
             return
@@ -256,7 +260,8 @@ class Finder:
         if parent.kind not in BODIES or not deletable:
             return
         start, end = self.range(node)
-        if MEMORY.search(self.text[start:end]):
+        thrower = node.kind == Kind.CXX_THROW_EXPR and len(list(parent.get_children())) == 1
+        if thrower and parent.kind == Kind.COMPOUND_STMT and NO_RETURN.search(self.text[:self.range(parent)[0]]):
             return
         semicolon = re.match(r"\s*;", self.text[end:])
         head = parent.kind != Kind.COMPOUND_STMT and not re.search(r"(\)|\belse)\s*$", self.text[:start])
@@ -272,6 +277,8 @@ class Finder:
         kind = node.kind
         start, end = self.range(node)
         if kind in NOT_MUTATED or self.is_constant(start, end):
+            return
+        if parent.kind in BODIES and MEMORY.match(self.text[start:end]):
             return
         if kind == Kind.UNEXPOSED_DECL and " concept " in self.text[start:end]:
             return

@@ -20,6 +20,7 @@ from pathlib import Path
 SLOTS = 1 << 20  # as in switches.hpp
 VALID = 1
 MEMORY = 8 << 30
+NOBODY = 65534
 STAGES = ("unit", "related", "program", "verify")
 RUNS = {"verify": ["verify", "--effort", "quick"], "example": ["example"]}
 GRACE = 5.0        # seconds that a run may take beyond a multiple of what it takes without a mutant
@@ -52,6 +53,26 @@ def stage_of(test, source):
     return "program"
 
 
+def wait(process, longest):
+    """(exit code, seconds of processor time) of a process and all that it has started; SIGXCPU where it only sleeps."""
+    deadline = time.monotonic() + longest
+    hung = False
+    while True:
+        ended, status, usage = os.wait4(process.pid, os.WNOHANG)
+        if ended:
+            break
+        if time.monotonic() > deadline and not hung:
+            hung = True
+            os.killpg(process.pid, signal.SIGKILL)
+        time.sleep(0.005)
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return -signal.SIGXCPU if hung else process.returncode, usage.ru_utime + usage.ru_stime
+
+
 class Suite:
     def __init__(self, build, jobs):
         self.build, self.jobs = Path(build), jobs
@@ -64,28 +85,24 @@ class Suite:
         return [program, "--gtest_filter=" + ":".join(t.name for t in tests), "--gtest_fail_fast", "--gtest_brief=1"]
 
     def run(self, command, limit, **environment):
-        """(exit code, output, seconds); a negative code is a signal."""
+        """(exit code, output, seconds of processor time); a negative code is a signal."""
         def limits():
             resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 2))
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            if os.getuid() == 0:  # a mutant of what writes files could put one in the place of a device
+                os.setgroups([])
+                os.setgid(NOBODY)
+                os.setuid(NOBODY)
         variables = {**os.environ, "RC_PARAMS": "seed=1", **environment}
-        start = time.monotonic()
         with tempfile.TemporaryFile() as out, tempfile.TemporaryDirectory(prefix="torse-mutation-") as scratch:
             variables["TMPDIR"] = scratch
+            os.chmod(scratch, 0o777)
             process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out, env=variables,
                                        start_new_session=True, preexec_fn=limits)
-            try:
-                code = process.wait(timeout=10 * limit)
-            except subprocess.TimeoutExpired:
-                code = -signal.SIGXCPU
-            try:
-                os.killpg(process.pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
-            process.wait()
+            code, seconds = wait(process, 20 * limit)
             out.seek(0)
-            return code, out.read().decode("utf-8", "replace"), time.monotonic() - start
+            return code, out.read().decode("utf-8", "replace"), seconds
 
     def programs(self):
         """Test programs with a digest of what they run: their own text and that of the program."""
@@ -107,6 +124,7 @@ class Suite:
     def measure(self, test):
         with tempfile.NamedTemporaryFile() as trace:
             os.truncate(trace.name, SLOTS)
+            os.chmod(trace.name, 0o666)
             code, _, test.seconds = self.run(self.command([test]), 600, TORSE_MUTANT_TRACE=trace.name)
             test.passed = code == 0
             data = trace.read()
