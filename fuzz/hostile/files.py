@@ -52,7 +52,7 @@ def scaled(pts, factor):
 
 def digits(length, seed):
     """A number of so many digits."""
-    block = str(3 ** 2000 + seed)
+    block = str(3 ** (2000 + 7 * seed))
     return "9" + (block * (length // len(block) + 1))[: length - 1]
 
 

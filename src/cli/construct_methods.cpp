@@ -2,6 +2,8 @@
 #include "torse/cli/construct_methods.hpp"
 #include "torse/exact/decide/words.hpp"
 
+#include <span>
+#include <string>
 #include <utility>
 
 #include "torse/cli/terminal.hpp"
@@ -30,10 +32,41 @@ Construction with_row(const ConstructFile<Q>& input, const std::vector<Row>& q) 
   }
 }
 
-/// FJ07.13 and FJ21.7.1.
+std::size_t bits_of(const Row& x) {
+  std::size_t bits = 0;
+  for (int j = 0; j < 4; ++j) bits += x[j].numerator_bits() + x[j].denominator_bits();
+  return bits;
+}
+
+/// The work that a row may take, so that its file can be read again: one for each bit of its numerators and
+/// denominators, more for control points of very many bits, where products and common divisors take longer.
+constexpr std::size_t most_work = std::size_t{1} << 27;
+
+std::size_t work_of(const Row& x) {
+  const std::size_t bits = bits_of(x);
+  return bits + bits / 2048 * (bits / 2048);
+}
+
+/// FJ07.13 and FJ21.7.1. Numbers may grow with each vertex, so the row is made cell by cell until it is too long: cell
+/// i is a net of degree 1 over the knots u_i and u_{i+n}.
 Construction linear(const ConstructFile<Q>& input, const Q& lambda, const Q& m, const Q& sigma, const Q& omega0) {
+  const KnotList<Q>& u = input.knots;
   const std::vector<Row> p = homogeneous(input.c);
-  return with_row(input, rational_net<Q, Row>(input.knots, p, lambda, m, sigma, row_of(omega0, *input.d0)));
+  require_off_knots(u, m);
+  std::vector<Row> q{row_of(omega0, *input.d0)};
+  std::size_t work = 0;
+  for (int i = 0; i < u.last(); ++i) {
+    const std::size_t at_i = static_cast<std::size_t>(i);
+    const KnotList<Q> cell(1, {u[i], u[i + u.degree()]});
+    q.push_back(rational_net<Q, Row>(cell, std::span(p).subspan(at_i, 2), lambda, m, sigma, q.back()).back());
+    work += work_of(q.back());
+    if (work > most_work) {
+      throw InvalidInput("c.points", "expected a second row of at most " + std::to_string(most_work) +
+                                         " bits, found numbers that grow beyond them at control point " +
+                                         std::to_string(i + 1) + " of " + std::to_string(u.last()));
+    }
+  }
+  return with_row(input, q);
 }
 
 /// FJ07.13 with L* = M*, or a translation of c where no M* is given; the weights of c stay.
@@ -62,7 +95,12 @@ Construction tangent(const ConstructFile<Q>& input) {
   const int n = u.degree();
   std::vector<Q> knots(static_cast<std::size_t>(n), u.domain_begin());
   std::vector<Point3> c, d;
-  for (int k : u.proper_pieces()) {
+  const std::vector<int> pieces = u.proper_pieces();
+  if (const std::size_t count = pieces.size() * static_cast<std::size_t>(n) + 1; count > limits::points) {
+    throw InvalidInput("c.points", "expected a result of at most " + std::to_string(limits::points) +
+                                       " control points, found Bezier pieces with " + std::to_string(count));
+  }
+  for (int k : pieces) {
     const std::vector<Point3> bezier = bezier_points<Q, Point3>(u, input.c.points, k);
     const Q speed = one / (u.piece_end(k) - u.piece_begin(k));
     const std::vector<Point3> row = restrict_rulings<Q, Point3>(bezier, tangent_net<Q, Point3>(bezier), speed);

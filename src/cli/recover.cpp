@@ -55,6 +55,12 @@ void print_face(const Terminal& terminal, const RecoveredFace& recovered) {
                                terminal.painted(Paint::dim, "replay: " + recovered.replay)));
     return;
   }
+  if (recovered.beyond_budget) {
+    terminal.print(fmt::format(
+        "{}: {}\n  {}\n", title, describe(judgement.classification),
+        terminal.painted(Paint::doubtful, "the numbers of its net are too long to recover Lambda, M and sigma")));
+    return;
+  }
   const Paint paint = recovered.singular.empty() ? Paint::good : Paint::doubtful;
   terminal.print(fmt::format("{}: {}\n{}  {}\n", title, describe(judgement.classification), recovered_text(recovered),
                              terminal.painted(paint, singular_text(recovered.singular, most_singular))));
@@ -65,6 +71,7 @@ int code_of(const std::vector<RecoveredFace>& faces) {
   const auto any = [&](auto&& property) { return std::ranges::any_of(faces, property); };
   if (any([](const RecoveredFace& f) { return f.error.has_value(); })) return exit_code::unusable;
   if (any([](const RecoveredFace& f) { return f.judgement && !f.judgement->developable(); })) return exit_code::refuted;
+  if (any([](const RecoveredFace& f) { return f.beyond_budget; })) return exit_code::undecided;
   return any([](const RecoveredFace& f) { return f.developable(); }) ? exit_code::success : exit_code::undecided;
 }
 

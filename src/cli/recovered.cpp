@@ -23,6 +23,9 @@ using Function = RationalFunctionOfT;
 /// As many lines of functions as a person reads; --json has all.
 constexpr std::size_t most_lines = 12;
 
+/// With so many bits in a cubic net, the recovery takes some seconds and a third of a gigabyte.
+constexpr std::size_t most_bits = std::size_t{1} << 21;
+
 /// Why Lam, M or sigma is missing, or none.
 std::optional<std::string> excluded_case(const Piece& f) {
   if (f.sweep == Sweep::curve) return "c = d: no surface, no function is unique";
@@ -146,6 +149,8 @@ RecoveredFace recover_face(Face face) {
   const RuledFile<Rational>& surface = *result.face.surface;
   result.judgement = judge(surface);
   if (!result.judgement->developable()) return result;
+  result.beyond_budget = !within_budget(surface, most_bits);
+  if (result.beyond_budget) return result;
   const std::vector<Piece> pieces =
       recover_pieces<Rational>(surface.knots, homogeneous(surface.c), homogeneous(surface.d));
   result.singular = find_singularities(pieces);
@@ -178,6 +183,10 @@ Json recovered_json(const RecoveredFace& recovered) {
   }
   if (judgement.classification.vertex) json["vertex"] = point_json(*judgement.classification.vertex);
   if (judgement.classification.direction) json["direction"] = point_json(*judgement.classification.direction);
+  if (recovered.beyond_budget) {
+    for (const char* key : {"spans", "edge", "singular"}) json[key] = nullptr;
+    return json;
+  }
   json["spans"] = Json::array();
   for (const RecoveredSpan& span : recovered.spans) json["spans"].push_back(span_json(span));
   const std::optional<Edge> edge = common_edge(recovered);

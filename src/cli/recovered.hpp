@@ -22,13 +22,16 @@ struct RecoveredSpan {
   std::optional<EdgeOfRegression<Rational>> edge;
 };
 
-/// One face with all that was recovered (nothing if it is not developable or not ruled), or the error of its file.
+/// One face with all that was recovered (nothing if it is not developable, not ruled or beyond the budget), or the
+/// error of its file.
 struct RecoveredFace {
   Face face;
   std::string replay;
   std::optional<Judgement> judgement{};
   std::vector<RecoveredSpan> spans{};
   std::vector<SingularSet> singular{};
+  /// Whether the functions of a developable face were not looked for since its numbers are too long.
+  bool beyond_budget = false;
   std::optional<FileError> error{};
 
   bool developable() const { return judgement.has_value() && judgement->developable(); }

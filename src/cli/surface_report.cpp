@@ -18,10 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bound = SingularSet::Bound;
 
-/// With so many bits in a cubic net, the singularities take about a quarter of a second; the time grows with the degree
-/// of the polynomials too.
-constexpr std::size_t most_bits = std::size_t{1} << 18;
-constexpr std::size_t usual_degree = 3;
+/// With so many bits in a cubic net, the singularities take about a quarter of a second.
+constexpr std::size_t quick_bits = std::size_t{1} << 18;
 
 /// Of knots, coordinates and weights.
 std::size_t bits_of(const RuledFile<Rational>& surface) {
@@ -75,9 +73,14 @@ Json witness_json(const DevelopabilityWitness<Rational>& witness, const KnotList
           {"value", witness.value.text()}};
 }
 
-std::optional<std::vector<SingularSet>> quick_singularities(const RuledFile<Rational>& surface) {
+bool within_budget(const RuledFile<Rational>& surface, std::size_t most_bits) {
+  constexpr std::size_t usual_degree = 3;
   const std::size_t degree = std::max(usual_degree, static_cast<std::size_t>(surface.knots.degree()));
-  if (bits_of(surface) * degree > most_bits * usual_degree) return std::nullopt;
+  return bits_of(surface) * degree <= most_bits * usual_degree;
+}
+
+std::optional<std::vector<SingularSet>> quick_singularities(const RuledFile<Rational>& surface) {
+  if (!within_budget(surface, quick_bits)) return std::nullopt;
   return find_singularities(recover_pieces<Rational>(surface.knots, homogeneous(surface.c), homogeneous(surface.d)));
 }
 

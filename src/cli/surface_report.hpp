@@ -2,6 +2,7 @@
 //   face_json                     which face it is
 //   point_json, witness_json      a point, what refutes developability
 //   quick_singularities           of a file
+//   within_budget                 whether a surface is short enough for what takes long
 //   singular_json, singular_text  where the patch is singular
 #pragma once
 
@@ -27,9 +28,12 @@ nlohmann::ordered_json point_json(const Vec<Rational, 3>& x);
 /// {"piece", "span", "coefficient", "value"}.
 nlohmann::ordered_json witness_json(const DevelopabilityWitness<Rational>& witness, const KnotList<Rational>& knots);
 
-/// Where a developable surface is singular; none where its numbers have too many bits to find that out beside a
-/// decision
-/// (`torse recover` does it all the same).
+/// Whether the knots, coordinates and weights of a surface have at most `most_bits` bits, numerators and denominators
+/// counted; of degree n > 3 at most 3/n of them, since the degrees of all polynomials are multiples of it.
+/// docs/formats.md lists the budgets.
+bool within_budget(const RuledFile<Rational>& surface, std::size_t most_bits);
+
+/// Where a developable surface is singular; none beyond the budget of a decision (`torse recover` has a larger one).
 std::optional<std::vector<SingularSet>> quick_singularities(const RuledFile<Rational>& surface);
 
 /// [{"reason", "from", "to"}]: a bound is "p/q", or {"lo", "hi", "zero_of": [integers]} where it is irrational.

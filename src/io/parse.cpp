@@ -40,6 +40,9 @@ class TellingIterator {
   const char** reached_;
 };
 
+/// The exponents of all numbers of a document may make so many bits together.
+constexpr std::size_t most_exponent_bits = std::size_t{1} << 27;
+
 class TreeBuilder : public Json::json_sax_t {
  public:
   TreeBuilder(const std::string& file, std::string_view text) : file_(file), text_(text), reached_(text.data()) {}
@@ -126,7 +129,12 @@ class TreeBuilder : public Json::json_sax_t {
   }
 
   bool leaf(Node::Kind kind, std::string text) {
+    exponent_bits_ += exponent_bits(text);
     place({kind, 0, std::move(text)});
+    if (exponent_bits_ > most_exponent_bits) {
+      fail("expected numbers whose exponents make at most " + std::to_string(most_exponent_bits) +
+           " bits together, found more");
+    }
     end_token();
     return true;
   }
@@ -166,6 +174,7 @@ class TreeBuilder : public Json::json_sax_t {
   std::size_t token_ = 0;
   std::size_t end_ = 0;
   std::size_t values_ = 0;
+  std::size_t exponent_bits_ = 0;
   Node root_;
   std::vector<Node*> open_;
 };
@@ -194,6 +203,19 @@ TextPosition position_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
   const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   return {static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1, before.size() - line_start + 1};
+}
+
+std::size_t exponent_bits(std::string_view text) {
+  const std::size_t before = text.find_last_not_of("0123456789");
+  if (before == std::string_view::npos || before + 1 == text.size()) return 0;
+  if (text[0] != '-' && text[0] != '+' && (text[0] < '0' || text[0] > '9')) return 0;
+  const bool sign = text[before] == '-' || text[before] == '+';
+  const char letter = sign && before > 0 ? text[before - 1] : text[before];
+  const std::size_t percent = letter == 'e' || letter == 'E' ? 333 : letter == 'p' || letter == 'P' ? 100 : 0;
+  constexpr std::size_t most = limits::binary_exponent;
+  std::size_t exponent = 0;
+  for (char c : text.substr(before + 1)) exponent = std::min(most, exponent * 10 + static_cast<std::size_t>(c - '0'));
+  return exponent * percent / 100;
 }
 
 Node parse_json(const std::string& file, std::string_view text) {

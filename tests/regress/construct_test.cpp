@@ -185,6 +185,24 @@ json directrix_of(const json& a, const json& b, const json& more = {}) {
 }
 
 // a = 2, b = u (ZW06.16): the edge of regression is the curve of the running means (c_0 + ... + c_i)/(i+1).
+/// A curve over uniform knots.
+json long_input(const std::string& method, int degree, int count, const json& more) {
+  json input = input_of(method, more);
+  input["degree"] = degree;
+  input["c"]["points"] = input["knots"] = json::array();
+  for (int i = 0; i < count; ++i) input["c"]["points"].push_back({i, i * i % 7, i * i * i % 11});
+  for (int i = 0; i < count + degree - 1; ++i) input["knots"].push_back(i);
+  return input;
+}
+
+TEST_F(Construct, RowsThatGrowBeyondWhatAFileHoldsAreRefused) {
+  const json free{{"Lambda", -1}, {"M", "1e-100"}, {"d0", {0, 0, 1}}};
+  expect_refused(long_input("bspline", 3, 2000, free), "c.points");
+  expect_refused(long_input("bspline", 3, 2000, free), "a second row of at most 134217728 bits, found numbers");
+  expect_refused(long_input("tangent", 100, 1101, nullptr),
+                 "at most 100000 control points, found Bezier pieces with 100101");
+}
+
 TEST_F(Construct, DirectrixWithOneSolution) {
   const ProgramResult result = run(directrix_of({"2"}, {0, 1}));
   ASSERT_EQ(result.exit, 0) << result.err;

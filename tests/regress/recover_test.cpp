@@ -135,6 +135,23 @@ TEST_F(Recover, TheConstantPatchIsAFileWithThoseConstants) {
   EXPECT_EQ(self["surface"]["d"]["weights"], json({"1", "1", "11/15", "43/45"}));
 }
 
+TEST_F(Recover, BeyondTheBudgetTheClassIsDecidedAllTheSame) {
+  const std::string zeros(320'000, '0');  // two coordinates of more than 2^20 bits
+  const auto net = [](const std::string& height, const std::string& higher) {
+    return R"({"torse": 1, "type": "ruled", "degree": 2, "c": {"points": [[0,0,0],[1,2,0],[3,1,")" + height +
+           R"("]]}, "d": {"points": [[0,0,1],[1,2,1],[3,1,")" + higher + R"("]]}})";
+  };
+  const json far = surface(net("1" + zeros, "1" + zeros.substr(1) + "1"), 3);
+  EXPECT_EQ(far["class"], "cylinder");
+  EXPECT_EQ(far["direction"], json({"0", "0", "1"}));
+  for (const char* key : {"spans", "edge", "singular"}) EXPECT_TRUE(far.at(key).is_null()) << key;
+  const std::string fewer = zeros.substr(0, 310'000);
+  EXPECT_EQ(surface(net("1" + fewer, "1" + fewer.substr(1) + "1"))["spans"].size(), 1U);
+  const ProgramResult shown = run_program({"recover", file("far.json", net("1" + zeros, "1" + zeros.substr(1) + "1"))});
+  EXPECT_EQ(shown.exit, 3);
+  EXPECT_THAT(shown.out, HasSubstr("too long to recover"));
+}
+
 TEST_F(Recover, TheExcludedCasesAreNamed) {
   const std::string cylinder = R"({"torse": 1, "type": "ruled", "degree": 2, "knots": [0, 0, "1/3", 1, 1],
    "c": {"points": [[0,0,0],[1,0,0],[1,1,0],[0,2,0]]}, "d": {"points": [[0,0,2],[1,0,2],[1,1,2],[0,2,2]]}})";

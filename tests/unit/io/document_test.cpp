@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "torse/exact/rational/rational.hpp"
+#include "torse/io/parse.hpp"
 
 namespace torse {
 namespace {
@@ -88,6 +89,23 @@ TEST(Document, BlanksInARowAreLimited) {
   EXPECT_EQ(error_of("[" + most + "x]").substr(0, 40), "f: line 1048577, column 1: expected JSON");
   EXPECT_EQ(error_of("[" + most + " x]"),
             "f: line 1048577, column 1: expected at most 1048576 blanks in a row, found more");
+}
+
+TEST(Document, ExponentsAreLimitedTogether) {
+  EXPECT_EQ(exponent_bits("1e-300"), 999U);
+  EXPECT_EQ(exponent_bits("-1.5E+3"), 9U);
+  EXPECT_EQ(exponent_bits("0x1.8p-52"), 52U);
+  EXPECT_EQ(exponent_bits("1e99999999999999999999"), 66600U);
+  for (const char* none : {"", "12", "-12", "+", "e", "2/3", "name", "line-7", "1e", "0x1.ff"}) {
+    EXPECT_EQ(exponent_bits(none), 0U) << none;
+  }
+  // 10076 numbers of 13320 bits are just below 2^27.
+  std::string text = "[";
+  for (int i = 0; i < 5038; ++i) text += "1e-4000, \"1e4000\",";
+  EXPECT_EQ(error_of(text + "1]"), "no error");
+  EXPECT_EQ(
+      error_of(text + "1e4000]"),
+      "f: line 1, column 90686: expected numbers whose exponents make at most 134217728 bits together, found more");
 }
 
 TEST(Document, TypedAccessSaysWhatItFound) {
