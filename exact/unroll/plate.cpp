@@ -22,7 +22,7 @@ using arb::Real;
 constexpr slong bits = 256;
 
 /// As many rulings as a plate may need while it is developed.
-constexpr std::size_t most_stations = 200'000;
+constexpr std::size_t most_stations = 5'001;
 
 /// Points of the plate where the outline's winding is looked at.
 constexpr std::size_t most_probes = 256;

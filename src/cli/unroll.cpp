@@ -32,6 +32,9 @@ constexpr double least_share = 1e-10;
 constexpr double least_size = 1e-100;
 constexpr double largest_size = 1e100;
 
+/// As many parts as a plate may be marked in, and as many pieces as it may consist of: each takes a ruling at least.
+constexpr int most_parts = 5'000;
+
 /// As many obstacles as a person reads.
 constexpr std::size_t most_obstacles = 6;
 
@@ -187,6 +190,9 @@ int run_unroll(const UnrollOptions& options) {
   const Angle limit = limit_of(options.max_warp);
   const Face face = face_of(options.input);
   const LengthUnit unit = unit_of(options, face);
+  if (const std::size_t pieces = face.surface->knots.proper_pieces().size(); pieces > most_parts) {
+    throw FileError(face.file, fmt::format("expected at most {} pieces to unroll, found {}", most_parts, pieces));
+  }
   const double tolerance = tolerance_of(options, size_of(face));
   const RuledFile<Rational>& surface = *face.surface;
 
@@ -233,7 +239,7 @@ std::function<int()> define_unroll(CLI::App& app) {
       ->type_name("LENGTH");
   app.add_option("--rulings", options->rulings, "parts between marked rulings")
       ->capture_default_str()
-      ->check(CLI::Range(1, 10'000));
+      ->check(CLI::Range(1, most_parts));
   app.add_option("--max-warp", options->max_warp, "unroll what is warped by at most ANGLE too")
       ->capture_default_str()
       ->type_name("ANGLE");

@@ -36,6 +36,18 @@ const std::string saddle = R"({"torse": 1, "type": "ruled", "degree": 1,
 const std::string bow_tie = R"({"torse": 1, "type": "ruled", "degree": 1,
   "c": {"points": [[0,0,0],[1,1,0]]}, "d": {"points": [[0,1,0],[1,0,0]]}})";
 
+/// A zigzag strip of so many planes.
+std::string long_cylinder(int pieces) {
+  json net{{"torse", 1}, {"type", "ruled"}, {"degree", 1}, {"knots", json::array()}};
+  for (const char* row : {"c", "d"}) {
+    json points = json::array();
+    for (int i = 0; i <= pieces; ++i) points.push_back({i, i % 2, row[0] - 'c'});
+    net[row] = {{"points", points}};
+  }
+  for (int i = 0; i <= pieces; ++i) net["knots"].push_back(i);
+  return net.dump();
+}
+
 class Unroll : public ::testing::Test {
  public:
   std::string file(const std::string& name, const std::string& text = "") const {
@@ -196,8 +208,12 @@ TEST_F(Unroll, WhatCannotLieFlatIsRefused) {
 TEST_F(Unroll, UsageAndInput) {
   EXPECT_THAT(refusal(cone, {"--tolerance", "1e-30"}, 2), HasSubstr("--tolerance: expected"));
   EXPECT_THAT(refusal(cone, {"--tolerance", "x"}, 2), HasSubstr("--tolerance: expected a number"));
+  EXPECT_THAT(refusal(cone, {"--tolerance", "1e-9"}, 2),
+              HasSubstr("tolerance: more than 5001 rulings do not reach it"));
   EXPECT_THAT(refusal(cone, {"--unit", "furlong"}, 2), HasSubstr("--unit: expected one of mm"));
   EXPECT_THAT(refusal(cone, {"--rulings", "0"}, 2), HasSubstr("--rulings"));
+  EXPECT_THAT(refusal(cone, {"--rulings", "5001"}, 2), HasSubstr("--rulings"));
+  EXPECT_THAT(refusal(long_cylinder(5001), {}, 2), HasSubstr("expected at most 5000 pieces to unroll, found 5001"));
   EXPECT_THAT(refusal(cone, {"--max-warp", "60deg"}, 2), HasSubstr("--max-warp: expected at most 45"));
   EXPECT_THAT(refusal(cone, {"-o", file("plate.pdf")}, 2), HasSubstr("ends in .svg, .dxf or .json"));
   EXPECT_THAT(refusal("{}", {}, 2), HasSubstr("net.json"));
