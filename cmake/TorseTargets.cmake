@@ -5,7 +5,7 @@
 #   torse_program(TARGET FOLDER NAME N LINK .) the program <build>/N; all but main.cpp is a library, so tests reach it
 #   torse_plugin(TARGET FOLDER OF PROGRAM LINK ...)  a module of FOLDER/**/*.cpp beside the program, which opens it at run time
 #   torse_tests(TARGET FOLDER LINK ...)        one GoogleTest program of FOLDER/**/*.cpp, each test known to ctest
-#   torse_fuzz_targets(FOLDER CORPUS LINK ...) one libFuzzer program for each file; ctest runs its corpus and fuzzes for 2 seconds
+#   torse_fuzz_targets(FOLDER CORPUS LINK ...) one program for each file, on which ctest runs its corpus; with libFuzzer 2 seconds more
 #   torse_benchmarks(FOLDER LINK ...)          one program for each file
 #   torse_peer(BENCHMARK NAME)                 a library to compare with, where it is found
 
@@ -100,21 +100,28 @@ function(torse_fuzz_targets folder corpus)
   foreach(source IN LISTS sources)
     cmake_path(GET source STEM stem)
     set(target fuzz_${stem})
-    add_executable(${target} ${source})
+    if(TORSE_FUZZ)
+      add_executable(${target} ${source})
+      target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+    else()
+      add_executable(${target} ${source} "${folder}/replay/main.cpp")
+    endif()
     target_link_libraries(${target} PRIVATE ${arg_LINK})
-    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
     target_compile_definitions(${target} PRIVATE "TORSE_SOURCE_PATH=\"${PROJECT_SOURCE_DIR}\"" "TORSE_BUILD_PATH=\"${PROJECT_BINARY_DIR}\"")
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${stem} RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/targets")
     torse_options(${target})
     if(TARGET torse_cad)
       add_dependencies(${target} torse_cad)
     endif()
-    # New inputs go to the first folder, never into the tree.
-    set(scratch "${PROJECT_BINARY_DIR}/tested/${stem}")
     set(seeds "${PROJECT_SOURCE_DIR}/${corpus}/${stem}")
-    file(MAKE_DIRECTORY "${scratch}")
-    add_test(NAME targets:${stem} COMMAND ${target} -max_total_time=2 -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3
-             "-artifact_prefix=${scratch}-" "${scratch}" "${seeds}")
+    set(words "${seeds}")
+    if(TORSE_FUZZ)
+      # New inputs go to the first folder, never into the tree.
+      set(scratch "${PROJECT_BINARY_DIR}/tested/${stem}")
+      file(MAKE_DIRECTORY "${scratch}")
+      set(words -max_total_time=2 -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3 "-artifact_prefix=${scratch}-" "${scratch}" "${seeds}")
+    endif()
+    add_test(NAME targets:${stem} COMMAND ${target} ${words})
     set_tests_properties(targets:${stem} PROPERTIES LABELS targets)
   endforeach()
 endfunction()
