@@ -91,8 +91,10 @@ TEST(RuledFile, NoKnotsAreOneBezierPiece) {
 }
 
 TEST(RuledFile, ARailHasTwoPointsAtLeast) {
-  EXPECT_EQ(ruled_error("[[0, 0, 1], [1, 1, 1], [2, 0, 1], [3, 1, 1]]", "[[0, 0, 1]]"),
-            "d.points: expected 2 to " + std::to_string(limits::points) + " control points, found an array of 1");
+  const std::string one = R"({"torse": 1, "type": "ruled", "degree": 1, "c": {"points": [[0, 0, 0]]},
+ "d": {"points": [[0, 0, 1]]}})";
+  EXPECT_EQ(error_of(one, [](const Document& document) { read_ruled<Q>(document); }),
+            "c.points: expected 2 to " + std::to_string(limits::points) + " control points, found an array of 1");
 }
 
 TEST(RuledFile, BrokenMembersAreNamed) {
