@@ -260,7 +260,7 @@ class Finder:
         if parent.kind not in BODIES or not deletable:
             return
         start, end = self.range(node)
-        thrower = node.kind == Kind.CXX_THROW_EXPR and len(list(parent.get_children())) == 1
+        thrower = self.text.startswith("throw", start) and len(list(parent.get_children())) == 1
         if thrower and parent.kind == Kind.COMPOUND_STMT and NO_RETURN.search(self.text[:self.range(parent)[0]]):
             return
         semicolon = re.match(r"\s*;", self.text[end:])
