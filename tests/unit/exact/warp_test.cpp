@@ -119,6 +119,10 @@ TEST(Warp, NeedsNoMoreThanTheTolerance) {
   EXPECT_LT(coarse.intervals, fine.intervals);
 }
 
+TEST(Warp, LooksAtEveryPiece) {
+  for (int pieces : {1, 3, 8}) EXPECT_GE(warp_of(random_net(3, pieces, 4, 7), {.tolerance = 1}).intervals, pieces);
+}
+
 TEST(Warp, BoundsEverySample) {
   for (int n = 1; n <= 5; ++n) {
     for (const int spread : {1, 3, 1000}) {
