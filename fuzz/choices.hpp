@@ -1,9 +1,10 @@
 // Where a case comes from: a sequence of bounded choices, each smaller number standing for something simpler.
 //   Choices        draws numbers from a seed, from a recorded list or from bytes, and records what it drew
 //   Record         the recorded list: the same list gives the same case on every machine and compiler
-//   trimmed        the shortest list for the same case      simpler   the order in which cases are shrunk
-//   Edit           one way to make a list simpler        edits     those to try when a case is to be shrunk, the
-//   boldest first edited         the list that an edit makes: it stands for a valid case, as every list does
+//   trimmed        the shortest list for the same case
+//   simpler        the order in which cases are shrunk
+//   Edit, edits    the ways to make a list simpler, the boldest first
+//   edited         the list that an edit makes: it stands for a valid case, as every list does
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // Developable nets of each class by constructions of a few lines, none of which is the library's.
-//   Weights, Draft, blend, cell_row    what weights are wanted          two control rows and what is known of them
+//   Weights                        what weights are wanted
+//   Draft, blend, cell_row         two control rows and what is known of them
 //   draft_plane, draft_line        all points in a plane, on a line
 //   draft_cylinder, draft_cone     rulings through a point that is chosen
 //   draft_linear                   the cells of FJ21.7.1, one after the other

@@ -1,6 +1,7 @@
 // Numbers, knots and nets in doubles, drawn fast.
-//   DoubleNet        the free parameters of FJ07.13 in doubles        draw_double_net       one of a given degree and
-//   size draw_double      a double of a kind: small integers are the simplest
+//   DoubleNet        the free parameters of FJ07.13 in doubles
+//   draw_double_net  one of a given degree and size
+//   draw_double      a double of a kind: small integers are the simplest
 #pragma once
 
 #include <vector>

@@ -1,8 +1,11 @@
 // Whole nets of ruled surfaces that know their true verdict and class.
-//   Net<D>             control rows c, d over one knot list with what is known of them; D = 3 points, D = 4 rows w (1,
-//   x) draw_net           polynomial          draw_rational_net, draw_row_net      rational, without and with zero
-//   weights draw_developable_net, draw_developable_rational_net      those that are developable add_net_labels     what
-//   a net is, as labels
+//   Net<D>                        control rows c, d over one knot list, and what is known of them; D = 3: points,
+//                                 D = 4: rows w (1, x)
+//   draw_net                      polynomial
+//   draw_rational_net             with weights, none of them 0
+//   draw_row_net                  with weights that may be 0
+//   draw_developable_net, draw_developable_rational_net
+//   add_net_labels                what a net is, as labels
 #pragma once
 
 #include <optional>
