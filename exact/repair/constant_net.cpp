@@ -1,6 +1,7 @@
 // The edge from pairs of control points, and back with exact numbers.
 #include "torse/exact/repair/constant_net.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -96,6 +97,16 @@ std::vector<Real> reach_of_errors(const std::vector<SegmentRows<D>>& segments, i
   return reach;
 }
 
+bool finite(const Real& x) { return mpfr_number_p(x.mpfr()) != 0; }
+
+/// Whether no number left the reals: L* and M* may differ by less than a Real resolves.
+template <int D>
+bool finite(const std::vector<Vec<Real, D>>& points) {
+  return std::ranges::all_of(points, [](const Vec<Real, D>& x) {
+    return std::all_of(x.data(), x.data() + D, [](const Real& y) { return finite(y); });
+  });
+}
+
 }  // namespace
 
 template <int D>
@@ -108,12 +119,15 @@ std::optional<ExactNet<D>> realise_constant_net(const std::vector<Segment>& segm
     parts.push_back({part_of(net, segments[s]), edge_rows(segments[s].knots, constants[s])});
   }
   const std::vector<Real> reach = reach_of_errors(parts, segments.front().knots.degree());
+  if (!std::ranges::all_of(reach, [](const Real& x) { return finite(x); })) return std::nullopt;
   ExactNet<D> result;
   for (std::size_t s = 0; s < parts.size(); ++s) {
     const std::vector<EdgeRow>& rows = parts[s].rows;
+    const std::vector<Vec<Real, D>> edge = edge_of<D>(rows, parts[s].part);
+    if (!finite<D>(edge)) return std::nullopt;
     const long exponent = accuracy.exponent() - exponent_of(reach[s]);
     std::vector<Vec<Rational, D>> r;
-    for (const Vec<Real, D>& x : edge_of<D>(rows, parts[s].part)) r.push_back(rounded_point<D>(x, exponent));
+    for (const Vec<Real, D>& x : edge) r.push_back(rounded_point<D>(x, exponent));
     std::size_t first = 0;
     if (s > 0) {
       const auto start = edge_from(rows[0].exact, rows[1].exact, result[result.size() - 2], result.back());

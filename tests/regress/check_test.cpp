@@ -198,6 +198,9 @@ TEST_F(Check, HostileFilesEndWithOneClearError) {
       {std::string("\x7f"
                    "ELF\0\1",
                    6),
+       "line 1, column 5: expected JSON, found a null byte"},
+      {"\x7f"
+       "ELF",
        "invalid literal"},
       {std::string(1'000'000, '['), "at most 32 deep"},
       {with("[1e1000000000,1,0]"), "below 1e4932"},
