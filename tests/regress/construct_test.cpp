@@ -184,13 +184,12 @@ json directrix_of(const json& a, const json& b, const json& more = {}) {
   return input_of("directrix", members);
 }
 
-// a = 2, b = u (ZW06.16): the edge of regression is the curve of the running means (c_0 + ... + c_i)/(i+1).
 /// A curve over uniform knots.
 json long_input(const std::string& method, int degree, int count, const json& more) {
   json input = input_of(method, more);
   input["degree"] = degree;
   input["c"]["points"] = input["knots"] = json::array();
-  for (int i = 0; i < count; ++i) input["c"]["points"].push_back({i, i * i % 7, i * i * i % 11});
+  for (long i = 0; i < count; ++i) input["c"]["points"].push_back({i, i * i % 7, i % 11 * i % 11 * i % 11});
   for (int i = 0; i < count + degree - 1; ++i) input["knots"].push_back(i);
   return input;
 }
@@ -203,6 +202,7 @@ TEST_F(Construct, RowsThatGrowBeyondWhatAFileHoldsAreRefused) {
                  "at most 100000 control points, found Bezier pieces with 100101");
 }
 
+// a = 2, b = u (ZW06.16): the edge of regression is the curve of the running means (c_0 + ... + c_i)/(i+1).
 TEST_F(Construct, DirectrixWithOneSolution) {
   const ProgramResult result = run(directrix_of({"2"}, {0, 1}));
   ASSERT_EQ(result.exit, 0) << result.err;
