@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ios>
 #include <map>
 #include <string>
 #include <thread>
@@ -84,8 +85,14 @@ inline std::vector<pid_t> processes_with(const std::string& word, const std::str
   for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    const std::string words = '\0' + slurp(entry.path() / "cmdline");
-    const std::string variables = '\0' + slurp(entry.path() / "environ");
+    std::string words(1, '\0');
+    std::string variables(1, '\0');
+    try {
+      words += slurp(entry.path() / "cmdline");
+      variables += slurp(entry.path() / "environ");
+    } catch (const std::ios_base::failure&) {  // it has ended in between
+      continue;
+    }
     const auto has = [](const std::string& text, const std::string& part) {
       return text.find('\0' + part + '\0') != std::string::npos;
     };
