@@ -1,7 +1,7 @@
 #!/bin/sh
 # layers.sh ROOT: every #include under src, exact, proofs and fuzz obeys the layers. Prints each violation; exit 1 if any.
 #   a lower layer never includes a higher one; exact knows scalar and algebra only; nobody but cli includes cli
-#   exact/decide and the other folders of exact that are no arithmetics are a layer of their own, above developable and exact
+#   exact/decide and the other folders of exact that are no arithmetics are a layer of their own, above quasi and exact
 #   src/cad, the plugin, knows io only and is included by nobody; it alone may use OpenCASCADE
 #   src/mpi, the other plugin, knows fuzz/campaign/ranks.hpp only and alone may use MPI; SQLite is for fuzz/campaign
 #   fuzz/targets are programs above all of them
@@ -24,7 +24,7 @@ BEGIN {
   may["cad"] = "io cad"
   may["mpi"] = "fuzz mpi"
   may["exact"] = may["algebra"] " exact"
-  may["decide"] = may["developable"] " exact decide"
+  may["decide"] = may["quasi"] " exact decide"
   may["proofs"] = may["fuzz"] = may["io"] " exact decide proofs fuzz"
   may["cli"] = may["targets"] = may["proofs"] " cli"
 }
