@@ -1,9 +1,11 @@
-// Quotients of long fractions, rounded outwards, against exact comparison.
+// Quotients of long fractions and of balls, rounded outwards, against exact comparison; quotients in doubles, whose
+// errors add up.
 #include "torse/exact/warp/quotient.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 
 namespace torse {
 namespace {
@@ -56,6 +58,55 @@ TEST(QuotientEnclosure, IsExactForShortNumbers) {
   const Interval half = quotient_enclosure(Q(3) / Q(7), Q(6) / Q(7));
   EXPECT_EQ(half.lower(), 0.5);
   EXPECT_EQ(half.upper(), 0.5);
+}
+
+TEST(QuotientEnclosure, HoldsTheWholeBall) {
+  using B = Ball<64>;
+  for (const auto& [low, high] : {std::pair{1.0, 1.5}, {-3.0, 1.0}, {-0x1p-40, 0x1p-60}}) {
+    const Interval found = enclosure(B::interval(low, high));
+    EXPECT_LE(found.lower(), low);
+    EXPECT_GE(found.upper(), high);
+    EXPECT_LE(found.upper() - found.lower(), (high - low) * (1 + 0x1p-20));
+  }
+  EXPECT_GE(quotient_enclosure(B::interval(1, 2), B::interval(4, 5)).upper(), 0.5);
+  EXPECT_LE(quotient_enclosure(B::interval(1, 2), B::interval(4, 5)).lower(), 0.2);
+}
+
+/// The constant `value`, known up to `radius`, as a form.
+RoundedForms<1> constant(int degree, double value, double radius) {
+  RoundedForms<1> x(degree);
+  for (int i = 0; i <= degree; ++i) x.at(0, i) = value * binomial<Q>(degree, i).to_double();
+  x.close(radius);
+  return x;
+}
+
+TEST(RoundedQuotient, IsBetweenTheQuotientsOfItsErrors) {
+  for (const auto& [r, s] : {std::pair{0.25, 0.0}, {0.0, 0.25}, {0.25, 0.5}}) {
+    const RoundedQuotient x(constant(4, 1, r), constant(4, 2, s));
+    EXPECT_GE(x.upper().value, (1 + r) / (2 - s));
+    EXPECT_LE(x.lower_at_begin(), (1 - r) / (2 + s));
+    EXPECT_LE(x.lower_at_end(), (1 - r) / (2 + s));
+    EXPECT_LE(x.upper().value, (1 + r) / (2 - s) * (1 + 0x1p-40));
+    EXPECT_GE(x.lower_at_end(), (1 - r) / (2 + s) * (1 - 0x1p-40));
+  }
+}
+
+TEST(RoundedQuotient, IsUnboundedWhereItsDenominatorMayVanish) {
+  EXPECT_EQ(RoundedQuotient(constant(4, 1, 0), constant(4, 2, 2)).upper().value, detail::infinity);
+  EXPECT_EQ(RoundedQuotient(constant(4, 1, 0), constant(4, 2, 3)).upper().value, detail::infinity);
+  EXPECT_EQ(RoundedQuotient(constant(4, 1, 0), constant(4, -2, 0)).upper().value, detail::infinity);
+  EXPECT_EQ(RoundedQuotient(constant(4, 1, 2), constant(4, 2, 0)).lower_at_begin(), 0);
+}
+
+/// A subdivision makes `degree` half sums one upon the other, each off by 2^-53.
+TEST(RoundedQuotient, CountsTheErrorsOfSubdivision) {
+  constexpr int degree = 20, levels = 40;
+  RoundedQuotient x(constant(degree, 1, 0), constant(degree, 1, 0));
+  for (int i = 0; i < levels; ++i) x = i % 2 == 0 ? x.split().first : x.split().second;
+  const double error = levels * degree * rounding::unit;
+  EXPECT_GE(x.upper().value, 1 + 2 * error);
+  EXPECT_LE(x.lower_at_begin(), 1 - 2 * error + 4 * error * error);
+  EXPECT_LE(x.upper().value, 1 + 4 * error);
 }
 
 }  // namespace

@@ -91,5 +91,31 @@ TEST(RoundedForms, EncloseTheExactSumsOfExactForms) {
   EXPECT_GT(inexact, 500);
 }
 
+/// The forms (s + t)^degree times `size`, known up to `radius`: a constant, whose error may be the same everywhere.
+template <int K>
+RoundedForms<K> constant(int degree, double size, double radius) {
+  RoundedForms<K> x(degree);
+  for (int j = 0; j < K; ++j) {
+    for (int i = 0; i <= degree; ++i) x.at(j, i) = size * binomial<Q>(degree, i).to_double();
+  }
+  x.close(radius);
+  return x;
+}
+
+/// With errors that add up: (x + r)(y + s) - x y = r y + x s + r s in each product of two forms.
+TEST(RoundedForms, AllErrorsOfTheOperandsAreInherited) {
+  for (const auto& [r, s] : {std::pair{0x1p-10, 0.0}, {0.0, 0x1p-10}, {0x1p-10, 0x1p-12}}) {
+    const double x = 3, y = 0.5;
+    const double product = r * y + x * s + r * s;
+    EXPECT_GE(rounded_dot(constant<1>(2, x, r), constant<1>(3, y, s)).radius(), product);
+    EXPECT_GE(rounded_dot(constant<3>(2, x, r), constant<3>(3, y, s)).radius(), 3 * product);
+    EXPECT_GE(rounded_cross(constant<3>(2, x, r), constant<3>(3, y, s)).radius(), 2 * (product - r * s));
+    EXPECT_GE(rounded_minors(constant<4>(2, x, r), constant<4>(3, y, s)).radius(), 2 * (product - r * s));
+    EXPECT_GE(rounded_sum(constant<1>(2, x, r), -1, constant<1>(2, y, s)).radius(), r + s);
+    EXPECT_GE(rounded_dot(constant<1>(2, x, r), constant<1>(3, y, s)).norm(), (x + r) * (y + s));
+    EXPECT_LE(rounded_dot(constant<1>(2, x, r), constant<1>(3, y, s)).radius(), product * (1 + 0x1p-9));
+  }
+}
+
 }  // namespace
 }  // namespace torse

@@ -1,0 +1,175 @@
+// The double stage of the warp angle: what it says of its errors, against the exact numbers, and against exact surfaces
+// that are within these errors.
+#include "torse/exact/warp/rounded_net.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "torse/developable/linear_net.hpp"
+#include "torse/developable/warp.hpp"
+
+namespace torse {
+namespace {
+
+using Q = Rational;
+using Row3 = std::vector<Vec<Q, 3>>;
+using Row4 = std::vector<Vec<Q, 4>>;
+
+Q exact(double x) { return Q::from_double(x); }
+Q magnitude(const Q& x) { return x.sign() < 0 ? -x : x; }
+
+/// A number that is no double, or one that is.
+Q number(std::mt19937_64& rng, bool dyadic) { return Q(static_cast<int>(rng() % 2001) - 1000) / Q(dyadic ? 64 : 63); }
+
+KnotList<Q> random_knots(std::mt19937_64& rng) {
+  std::vector<Q> u{Q(0)};
+  for (int i = 0; i < 8; ++i) u.push_back(u.back() + Q(static_cast<int>(rng() % 100) + 1) / Q(77));
+  return {3, std::move(u)};
+}
+
+void expect_knots_within(const KnotList<Q>& u, const std::vector<double>& knots, double relative) {
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Q width = u.list()[i] - u.list()[j];
+      EXPECT_LE(magnitude(exact(knots[i]) - exact(knots[j]) - width), exact(relative) * width);
+    }
+  }
+}
+
+TEST(RoundedNet, NumbersAreWithinTheirErrors) {
+  std::mt19937_64 rng(1);
+  for (int round = 0; round < 20; ++round) {
+    const KnotList<Q> u = random_knots(rng);
+    Row3 c, d;
+    for (int i = 0; i <= u.last(); ++i) {
+      for (Row3* row : {&c, &d}) {
+        Vec<Q, 3> x;
+        for (int j = 0; j < 3; ++j) x[j] = number(rng, false);
+        row->push_back(x);
+      }
+    }
+    const auto net = rounded_net<3>(u, std::span<const Vec<Q, 3>>(c), d);
+    ASSERT_TRUE(net.has_value());
+    expect_knots_within(u, net->knots, net->knot_error);
+    EXPECT_LE(net->coordinate_error, 0x1p-47);
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      for (int j = 0; j < 3; ++j) {
+        EXPECT_LE(magnitude(exact(net->c[i][j]) - (c[i][j] - c[0][j])), exact(net->coordinate_error));
+        EXPECT_LE(magnitude(exact(net->d[i][j]) - (d[i][j] - c[0][j])), exact(net->coordinate_error));
+      }
+    }
+  }
+}
+
+/// Homogeneous rows beginning at the origin; the coordinates are scaled by a power of two. Weights or coordinates alone
+/// are no doubles.
+TEST(RoundedNet, WeightsAndCoordinatesAreWithinTheirErrors) {
+  std::mt19937_64 rng(2);
+  for (const auto& [dyadic_weights, dyadic_points] : {std::pair{false, true}, {true, false}, {false, false}}) {
+    const KnotList<Q> u = bezier_knots<Q>(3);
+    Row4 p, q;
+    for (int i = 0; i <= 3; ++i) {
+      for (Row4* row : {&p, &q}) {
+        Vec<Q, 4> x(magnitude(number(rng, dyadic_weights)) + Q(1), Q(0), Q(0), Q(0));
+        for (int j = 1; j < 4 && !(row == &p && i == 0); ++j) x[j] = Q(1000) * number(rng, dyadic_points) + Q(1);
+        row->push_back(x);
+      }
+    }
+    const auto net = rounded_net<4>(u, std::span<const Vec<Q, 4>>(p), q);
+    ASSERT_TRUE(net.has_value());
+    const Q scale = exact(std::exp2(std::round(std::log2((exact(net->c[1][1]) / p[1][1]).to_double()))));
+    EXPECT_GT(net->coordinate_error, 0);
+    EXPECT_LE(net->coordinate_error, 0x1p-44);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const Q factor = j == 0 ? Q(1) : scale;
+        EXPECT_LE(magnitude(exact(net->c[i][j]) - factor * p[i][j]), exact(net->coordinate_error));
+        EXPECT_LE(magnitude(exact(net->d[i][j]) - factor * q[i][j]), exact(net->coordinate_error));
+      }
+    }
+  }
+}
+
+/// sin^2 at the ends of the only piece, enclosed, and a bound over all of it.
+struct Enclosure {
+  double at_begin;
+  double at_end;
+  double upper;
+};
+
+template <int D>
+Enclosure enclosure_of(const RoundedNet<D>& net) {
+  const auto quotient = rounded_quotient(net, 1);
+  return {quotient->lower_at_begin(), quotient->lower_at_end(), quotient->upper().value};
+}
+
+/// A rectangle, short in the direction of the rails, whose corners may be off by `error`: it may be twisted by an angle
+/// of about 4 error / length.
+TEST(RoundedQuotientErrors, CountTheErrorsOfShortRails) {
+  const Q zero(0), one(1);
+  for (const int exponent : {-4, -10, -16}) {
+    const double length = std::ldexp(1.0, exponent), error = length * 0x1p-24;
+    const RoundedNet<3> net{1, {0, 1}, {{0, 0, 0}, {length, 0, 0}}, {{0, 1, 0}, {length, 1, 0}}, 0, error};
+    const Q l = exact(length), e = exact(error);
+    const Row3 c{{zero, zero, e}, {l, zero, -e}}, d{{zero, one, -e}, {l, one, e}};
+    const Q attained = pointwise_sine_squared<Q>(bezier_knots<Q>(1), c, d, 1, one / Q(2));
+    EXPECT_GE(exact(enclosure_of(net).upper), attained);
+    EXPECT_LE(exact(enclosure_of(net).upper), Q(1000) * attained);
+  }
+}
+
+/// The same the other way round: a twist that may be none.
+TEST(RoundedQuotientErrors, KnowNothingOfATwistWithinTheErrors) {
+  for (const int exponent : {-4, -10, -16}) {
+    const double length = std::ldexp(1.0, exponent), error = length * 0x1p-24;
+    const RoundedNet<3> net{1, {0, 1}, {{0, 0, error}, {length, 0, -error}}, {{0, 1, -error}, {length, 1, error}},
+                            0, error};
+    EXPECT_EQ(enclosure_of(net).at_begin, 0);
+    EXPECT_EQ(enclosure_of(net).at_end, 0);
+  }
+}
+
+/// Doubles next to the net of FJ07.13, which is developable for other knots, as far away as the declared error.
+TEST(RoundedQuotientErrors, CountTheErrorsOfTheKnots) {
+  constexpr double error = 0x1p-34;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    std::mt19937_64 rng(seed);
+    const auto small = [&] { return Q(static_cast<int>(rng() % 2001) - 1000) / Q(2333); };
+    std::vector<double> knots{-2, -1, 0, 1, 2, 3};
+    std::vector<Q> moved;
+    for (const double x : knots) moved.push_back(exact(x + (rng() % 2 == 0 ? error : -error) / 2));
+    const KnotList<Q> u(3, moved);
+    Row3 c;
+    for (int i = 0; i <= u.last(); ++i) c.emplace_back(Q(i), small(), small());
+    const Row3 d = linear_net<Q, Vec<Q, 3>>(u, c, Q(9) + small(), Q(8) + small(), Vec<Q, 3>(Q(0), Q(6), small()));
+    RoundedNet<3> net{3, knots, {}, {}, error, 0x1p-48};
+    for (const auto& x : c) net.c.emplace_back(x[0].to_double(), x[1].to_double(), x[2].to_double());
+    for (const auto& x : d) net.d.emplace_back(x[0].to_double(), x[1].to_double(), x[2].to_double());
+    const auto quotient = rounded_quotient(net, 1);
+    ASSERT_TRUE(quotient.has_value());
+    EXPECT_EQ(quotient->lower_at_begin(), 0);
+    EXPECT_EQ(quotient->lower_at_end(), 0);
+  }
+}
+
+/// On a plane rectangle all that is left of the bound is errors. Of the derivation in rounded_net.cpp: 2m means with
+/// weights off by 2 knot_error each in c' and d' of degree m, and [a, b, w] sums up six products of these two and w.
+TEST(RoundedQuotientErrors, CountEveryMean) {
+  constexpr double error = 0x1p-40;
+  for (const int n : {2, 4, 6}) {
+    RoundedNet<3> net{n, bezier_knots<double>(n).list(), {}, {}, error, 0};
+    for (int i = 0; i <= n; ++i) {
+      net.c.emplace_back(i, 0, 0);
+      net.d.emplace_back(i, 1, 0);
+    }
+    const double volume = 6 * 2 * (2 * (n - 1) * 2 * error);
+    EXPECT_GE(enclosure_of(net).upper, volume * volume);
+    EXPECT_LE(enclosure_of(net).upper, 100 * volume * volume);
+  }
+}
+
+}  // namespace
+}  // namespace torse
