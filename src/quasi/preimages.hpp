@@ -50,7 +50,7 @@ S bisected(const Mapping<S>& sigma, S value) {
 
 /// The increasing mapping with a knot wherever it passes a knot of C2. Where a knot of sigma or of C1 has that value
 /// but for the rounding of sigma's values it is taken, so that no piece is as short as a rounding error. In exact
-/// arithmetic these parameters are irrational in general.
+/// arithmetic these parameters are irrational in general: see `snapped` (exact/quasi/snap.hpp).
 template <std::floating_point S>
 Mapping<S> with_preimages(const Mapping<S>& sigma, const KnotList<S>& of_c1, const KnotList<S>& of_c2) {
   const std::vector<S> old = breakpoints(sigma.knots, of_c1);

@@ -164,8 +164,8 @@ KnotList<S> joined_knots(const std::vector<S>& list, int degree, SurfaceKnots ki
 /// homogeneous rows of rational rails. The rails may have degrees p1 and p2, knots and domains of their own.
 ///
 /// sigma does not decrease (it may be constant: the piece of C2 is a point then, that of the surface a cone), its
-/// domain lies in that of C1, its values in that of C2, and it has a knot wherever it passes a knot of C2, as
-/// `with_preimages` (quasi/preimages.hpp) gives it one in rounded arithmetic. Throws InvalidInput naming
+/// domain lies in that of C1, its values in that of C2, and it has a knot wherever it passes a knot of C2, as `snapped`
+/// (exact/quasi/snap.hpp) and, rounded, `with_preimages` (quasi/preimages.hpp) give it one. Throws InvalidInput naming
 /// "sigma" otherwise; that it does not decrease is tested at the breakpoints only.
 ///
 /// Where the paper refines C2 too and takes T^ = (sigma^(t^) - sigma(a)) / (sigma(b) - sigma(a)) (BZZ19.13), the piece
