@@ -5,6 +5,7 @@
 #   src/cad, the plugin, knows io only and is included by nobody; it alone may use OpenCASCADE
 #   src/mpi, the other plugin, knows fuzz/campaign/ranks.hpp only and alone may use MPI; SQLite is for fuzz/campaign
 #   fuzz/targets are programs above all of them
+#   LBFGS.h is for the sources of src/quasi, no header of which shows it
 #   our own headers have one spelling, "torse/<layer>/..."; everything in quotes is ours
 #   src without cli uses the standard library and Eigen (io: nlohmann too), so no GMP, MPFR, FLINT, Arb or Boost
 set -eu
@@ -42,10 +43,12 @@ function check(layer, name, own,   part) {
     wrong("<mpi.h> is for src/mpi")
   } else if (where !~ /^fuzz\/campaign\// && name == "sqlite3.h") {
     wrong("<sqlite3.h> is for fuzz/campaign")
+  } else if (name == "LBFGS.h" && where !~ /^src\/quasi\/.*\.cpp$/) {
+    wrong("<LBFGS.h> is for the sources of src/quasi")
   } else if (layer != "cad" && name ~ /\.hxx$/) {
     wrong("<" name ">: OpenCASCADE is for src/cad")
   } else if (where ~ /^src\// && layer != "cli" && name !~ /^[a-z_0-9]+$/ && name !~ /^Eigen\// && !(layer == "io" && name ~ /^nlohmann\//) &&
-             !(layer == "cad" && name ~ /^[A-Za-z0-9_]+\.hxx$/) && !(layer == "mpi" && name == "mpi.h")) {
+             !(layer == "cad" && name ~ /^[A-Za-z0-9_]+\.hxx$/) && !(layer == "mpi" && name == "mpi.h") && name != "LBFGS.h") {
     wrong("<" name "> is not for src/" layer ": the standard library and Eigen only")
   }
 }

@@ -1,0 +1,221 @@
+#include "torse/quasi/descent.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace torse::quasi {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The share of the Gauss-Newton term that a sample keeps where its loss is concave.
+constexpr double least_curvature = 0.05;
+
+/// A stage ends where a step lowers the sum by less than this part of it, the descent where a stage does so.
+constexpr double enough = 1e-4;
+
+/// Damping at the start of a stage, and its factors after a step that lowers the sum and after one that does not.
+constexpr double first_damping = 1e-3;
+constexpr double relief = 0.2;
+constexpr double tightening = 8;
+constexpr double least_damping = 1e-12;
+constexpr int most_trials = 12;
+
+/// Angles below this are rounding errors.
+constexpr double least_angle = 1e-15;
+
+/// A smooth loss of an angle: its value, slope and curvature.
+struct Loss {
+  Measure measure;
+  double scale;  ///< delta of the mean, the largest angle of the maximum
+  double power;  ///< of the maximum
+
+  Taylor<double> operator()(double angle) const {
+    if (measure == Measure::mean) {
+      const double value = std::sqrt(angle * angle + scale * scale);
+      return {value, angle / value, scale / value * (scale / value) / value};
+    }
+    if (measure == Measure::rms) return {angle * angle, 2 * angle, 2};
+    const double share = std::abs(angle) / scale;
+    const double low = std::pow(share, power - 2);
+    return {low * share * share, power * low * share / scale * (angle < 0 ? -1 : 1),
+            power * (power - 1) * low / (scale * scale)};
+  }
+};
+
+/// The measure of angles.
+double measure_of(const std::vector<Taylor<double>>& angles, Measure measure) {
+  double total = 0;
+  for (const Taylor<double>& angle : angles) {
+    const double size = std::abs(angle.value);
+    if (measure == Measure::max) {
+      total = std::max(total, size);
+    } else {
+      total += measure == Measure::mean ? size : size * size;
+    }
+  }
+  if (measure == Measure::max) return total;
+  total /= static_cast<double>(angles.size());
+  return measure == Measure::mean ? total : std::sqrt(total);
+}
+
+class Descender {
+ public:
+  Descender(const Rail& d, const Sampling& samples, std::vector<double> beta, const DescentOptions& options)
+      : d_(d),
+        samples_(samples),
+        options_(options),
+        model_(beta.size(), width(), options.ends),
+        hessian_(beta.size(), width()),
+        gradient_(beta.size()),
+        angles_(samples.size()),
+        trial_angles_(samples.size()) {
+    result_.beta = std::move(beta);
+    angles_at(result_.beta, angles_);
+    result_.value = best_ = measure_of(angles_, options.measure);
+    best_beta_ = result_.beta;
+  }
+
+  Descent run() {
+    Loss loss{options_.measure, options_.measure == Measure::mean ? best_ : std::max(best_, least_angle), 4};
+    for (int stage = 0; stage < options_.stages && best_ > least_angle && loss.scale > least_angle; ++stage) {
+      const double before = best_;
+      descend_stage(loss);
+      result_.converged = before - best_ <= enough * before && stage > 0;
+      const bool sharp = options_.measure != Measure::mean || loss.scale < 0.01 * best_;
+      if (result_.converged && sharp) break;
+      sharpen(loss, stage);
+    }
+    result_.converged = result_.converged || best_ <= least_angle;
+    result_.beta = best_beta_;
+    result_.value = best_;
+    return std::move(result_);
+  }
+
+ private:
+  std::size_t width() const { return static_cast<std::size_t>(std::max(samples_.degree(), 1)); }
+
+  void angles_at(const std::vector<double>& beta, std::vector<Taylor<double>>& angles) {
+    ++result_.evaluations;
+    for (std::size_t r = 0; r < samples_.size(); ++r) {
+      angles[r] = ruling_angle(samples_.jet(r), d_(samples_.value(beta, r)), options_.kind).angle;
+    }
+  }
+
+  static double total(const Loss& loss, const std::vector<Taylor<double>>& angles) {
+    double sum = 0;
+    for (const Taylor<double>& angle : angles) sum += loss(angle.value).value;
+    return std::isfinite(sum) ? sum : infinity;
+  }
+
+  void sharpen(Loss& loss, int stage) const {
+    if (options_.measure == Measure::mean) {
+      loss.scale = std::max(measure_of(angles_, Measure::mean) * std::pow(0.3, std::min(stage + 1, 6)), least_angle);
+    } else if (options_.measure == Measure::max) {
+      loss.scale = std::max(measure_of(angles_, Measure::max), least_angle);
+      loss.power = std::min(loss.power * 2, 64.0);
+    }
+  }
+
+  /// Gradient and Hessian of the sum of losses by the coefficients.
+  void build_model(const Loss& loss) {
+    std::ranges::fill(gradient_, 0);
+    hessian_.clear(gradient_.size());
+    for (std::size_t r = 0; r < samples_.size(); ++r) {
+      const Taylor<double>& angle = angles_[r];
+      const Taylor<double> cost = loss(angle.value);
+      const double slope = cost.first * angle.first;
+      const double square = angle.first * angle.first;
+      const double secant = angle.value != 0 ? cost.first / angle.value : cost.second;
+      const double curvature =
+          std::max(cost.second * square + cost.first * angle.second, least_curvature * secant * square);
+      if (!std::isfinite(slope) || !std::isfinite(curvature)) continue;
+      const std::span<const double> basis = samples_.basis(r);
+      const std::size_t first = samples_.first(r);
+      for (std::size_t i = 0; i < basis.size(); ++i) {
+        gradient_[first + i] += slope * basis[i];
+        for (std::size_t j = i; j < basis.size(); ++j) {
+          hessian_.at(first + i, j - i) += curvature * basis[i] * basis[j];
+        }
+      }
+    }
+  }
+
+  BandedMatrix damped(double damping) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < hessian_.size(); ++i) largest = std::max(largest, hessian_.at(i, 0));
+    if (largest == 0) largest = 1;
+    BandedMatrix h = hessian_;
+    for (std::size_t i = 0; i < h.size(); ++i) {
+      h.at(i, 0) += damping * (hessian_.at(i, 0) + 1e-6 * largest) + 1e-12 * largest;
+    }
+    return h;
+  }
+
+  void descend_stage(const Loss& loss) {
+    double damping = first_damping;
+    double sum = total(loss, angles_);
+    for (int step = 0; step < options_.steps_per_stage; ++step) {
+      build_model(loss);
+      double lower = sum;
+      for (int trial = 0; trial < most_trials; ++trial) {
+        trial_ = model_.minimize(damped(damping), gradient_, result_.beta);
+        angles_at(trial_, trial_angles_);
+        lower = total(loss, trial_angles_);
+        if (lower < sum) break;
+        damping = std::max(damping * tightening, 1e-6);
+      }
+      if (!(lower < sum)) return;
+      damping = std::max(damping * relief, least_damping);
+      result_.beta.swap(trial_);
+      angles_.swap(trial_angles_);
+      keep_best();
+      const double drop = sum - lower;
+      sum = lower;
+      if (drop <= enough * sum) return;
+    }
+  }
+
+  void keep_best() {
+    const double value = measure_of(angles_, options_.measure);
+    if (value < best_) {
+      best_ = value;
+      best_beta_ = result_.beta;
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    result_.steps.push_back({value, elapsed.count()});
+  }
+
+  const Rail& d_;
+  const Sampling& samples_;
+  DescentOptions options_;
+  MonotoneModel model_;
+  BandedMatrix hessian_;
+  std::vector<double> gradient_;
+  std::vector<Taylor<double>> angles_;
+  std::vector<Taylor<double>> trial_angles_;
+  std::vector<double> trial_;
+  Descent result_;
+  double best_ = infinity;
+  std::vector<double> best_beta_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Descent descend(const Rail& d, const Sampling& samples, std::vector<double> beta, const DescentOptions& options) {
+  return Descender(d, samples, std::move(beta), options).run();
+}
+
+double measured(const Rail& d, const Sampling& samples, std::span<const double> beta, const DescentOptions& options) {
+  std::vector<Taylor<double>> angles(samples.size());
+  for (std::size_t r = 0; r < samples.size(); ++r) {
+    angles[r] = ruling_angle(samples.jet(r), d(samples.value(beta, r)), options.kind).angle;
+  }
+  return measure_of(angles, options.measure);
+}
+
+}  // namespace torse::quasi

@@ -1,0 +1,236 @@
+#include "torse/quasi/fit.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace torse::quasi {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// Rows of the grid of the global start, and the most columns: one for each piece of the mapping where these are less.
+constexpr int grid_rows = 96;
+constexpr int least_columns = 24;
+constexpr int most_columns = 200;
+
+/// Samples for each piece of the mapping, and at least so many together.
+constexpr std::size_t samples_per_piece = 4;
+constexpr std::size_t least_samples = 100;
+
+/// A place is steep where a coefficient exceeds the one before by so many times the mean difference.
+constexpr double steep = 4;
+
+/// As many of the steepest places as are tried elsewhere, and what a trial has to gain.
+constexpr std::size_t most_shifts = 4;
+constexpr double worth_while = 0.999;
+
+std::vector<double> even_breaks(int pieces) {
+  std::vector<double> breaks;
+  for (int i = 0; i <= pieces; ++i) breaks.push_back(static_cast<double>(i) / pieces);
+  return breaks;
+}
+
+/// The mapping's knots with as many pieces, such that each has the same part of the warp: with e the mean warp of a
+/// piece the pieces are spread with density e^(1/(d+1)), the rule for approximation of degree d, blended with the even
+/// one.
+std::vector<double> moved_breaks(const std::vector<double>& breaks, const std::vector<double>& warp, int degree) {
+  const std::size_t pieces = breaks.size() - 1;
+  std::vector<double> mass(pieces + 1, 0);
+  double largest = 0;
+  for (const double w : warp) largest = std::max(largest, w);
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const double density = std::pow(largest > 0 ? warp[i] / largest : 0, 1.0 / (degree + 1)) + 0.1;
+    mass[i + 1] = mass[i] + density * (breaks[i + 1] - breaks[i]);
+  }
+  std::vector<double> moved{0};
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < pieces; ++i) {
+    const double wanted = mass.back() * static_cast<double>(i) / static_cast<double>(pieces);
+    while (mass[at + 1] < wanted) ++at;
+    const double share = (wanted - mass[at]) / (mass[at + 1] - mass[at]);
+    moved.push_back(breaks[at] + share * (breaks[at + 1] - breaks[at]));
+  }
+  moved.push_back(1);
+  return moved;
+}
+
+class Fitter {
+ public:
+  Fitter(const Rails& rails, const FitOptions& options)
+      : rails_(rails),
+        options_(options),
+        breaks_(even_breaks(options.coefficients - options.degree)),
+        knots_(mapping_knots(options.degree, breaks_)),
+        samples_(rails.c, knots_, sample_parameters()),
+        fit_{identity_mapping(knots_)} {}
+
+  Fit run() {
+    const std::vector<double> identity = coefficients(fit_.mapping);
+    beta_ = identity;
+    value_ = fit_.initial = measured(rails_.d, samples_, identity, descent_options()) * degrees;
+    const int columns = std::clamp(options_.coefficients - options_.degree, least_columns, most_columns);
+    const RulingGrid grid(rails_, columns, grid_rows, options_.kind);
+    try_start("path", held(follow_path(best_path(grid, options_.ends), identity)));
+    if (fit_.stages.back().after >= fit_.initial) try_start("T = t", identity);
+    shift_steep_places();
+    if (options_.adaptive) move_knots();
+    fit_.mapping = mapping_of(knots_, beta_);
+    fit_.value = value_;
+    fit_.seconds = elapsed();
+    return std::move(fit_);
+  }
+
+ private:
+  std::vector<double> sample_parameters() const {
+    return midpoints(fit_samples(options_.degree, options_.coefficients));
+  }
+
+  DescentOptions descent_options() const {
+    DescentOptions descent;
+    descent.measure = options_.measure;
+    descent.kind = options_.kind;
+    descent.ends = options_.ends;
+    return descent;
+  }
+
+  double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+  /// With the ends where fixed ones have to be.
+  std::vector<double> held(std::vector<double> beta) const {
+    if (options_.ends == Ends::fixed) {
+      beta.front() = 0;
+      beta.back() = 1;
+    }
+    return beta;
+  }
+
+  Descent descend_from(const std::string& name, const Sampling& samples, std::vector<double> beta,
+                       const DescentOptions& options) {
+    const double before = elapsed();
+    const double initial = measured(rails_.d, samples, beta, options) * degrees;
+    Descent descent = descend(rails_.d, samples, std::move(beta), options);
+    for (const DescentStep& step : descent.steps) {
+      const double least = fit_.curve.empty() ? fit_.initial : fit_.curve.back().value;
+      fit_.curve.push_back({std::min(least, step.value * degrees), before + step.seconds});
+    }
+    fit_.stages.push_back({name, initial, descent.value * degrees, static_cast<int>(descent.steps.size()),
+                           descent.evaluations, descent.converged});
+    return descent;
+  }
+
+  /// Keeps where a descent ends if it is better than all before.
+  bool try_start(const std::string& name, std::vector<double> beta, double gain = 1) {
+    Descent descent = descend_from(name, samples_, std::move(beta), descent_options());
+    if (!(descent.value * degrees < gain * value_)) return false;
+    beta_ = std::move(descent.beta);
+    value_ = descent.value * degrees;
+    return true;
+  }
+
+  /// A steep place of the mapping is in one piece or in another: no descent leads from here to there. So the steepest
+  /// ones are moved to the pieces beside them.
+  void shift_steep_places() {
+    std::vector<std::size_t> places;
+    const double mean = (beta_.back() - beta_.front()) / static_cast<double>(beta_.size() - 1);
+    for (std::size_t i = 1; i < beta_.size(); ++i) {
+      if (beta_[i] - beta_[i - 1] > steep * mean) places.push_back(i);
+    }
+    std::ranges::sort(places, std::greater<>(), [&](std::size_t i) { return beta_[i] - beta_[i - 1]; });
+    places.resize(std::min(places.size(), most_shifts));
+    for (const std::size_t place : places) {
+      for (const int direction : {-1, 1}) shift(place, direction);
+    }
+  }
+
+  /// Moves the step between beta_{i-1} and beta_i one piece further as long as that helps.
+  void shift(std::size_t i, int direction) {
+    for (;;) {
+      std::vector<double> moved = beta_;
+      if (direction < 0 && i >= 2) {
+        moved[i - 1] = moved[i];
+      } else if (direction > 0 && i + 1 < moved.size()) {
+        moved[i] = moved[i - 1];
+      } else {
+        return;
+      }
+      moved = held(std::move(moved));
+      DescentOptions brief = descent_options();
+      brief.stages = 2;
+      brief.steps_per_stage = 3;
+      const Descent glance = descend(rails_.d, samples_, std::move(moved), brief);
+      if (!(glance.value * degrees < worth_while * value_)) return;
+      if (!try_start("shifted", glance.beta, worth_while)) return;
+      i = direction < 0 ? i - 1 : i + 1;
+    }
+  }
+
+  void move_knots() {
+    const std::size_t pieces = breaks_.size() - 1;
+    std::vector<double> warp(pieces, 0);
+    std::vector<double> count(pieces, 0);
+    for (std::size_t r = 0; r < samples_.size(); ++r) {
+      const double t = samples_.parameter(r);
+      const auto above = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t);
+      const std::size_t piece = static_cast<std::size_t>(above - breaks_.begin()) - 1;
+      const RulingAngle ruling = ruling_angle(samples_.jet(r), rails_.d(samples_.value(beta_, r)), options_.kind);
+      warp[piece] += std::abs(ruling.angle.value);
+      count[piece] += 1;
+    }
+    for (std::size_t i = 0; i < pieces; ++i) warp[i] /= std::max(count[i], 1.0);
+    const std::vector<double> breaks = moved_breaks(breaks_, warp, options_.degree);
+    const KnotList<double> knots = mapping_knots(options_.degree, breaks);
+    const Mapping<double> now = mapping_of(knots_, beta_);
+    std::vector<double> beta;
+    for (const double t : coefficients(identity_mapping(knots))) beta.push_back(mapping_value(now, t));
+    const Sampling samples(rails_.c, knots, sample_parameters());
+    Descent descent = descend_from("moved knots", samples, held(std::move(beta)), descent_options());
+    if (!(descent.value * degrees < worth_while * value_)) return;
+    beta_ = std::move(descent.beta);
+    value_ = descent.value * degrees;
+    knots_ = knots;
+    breaks_ = breaks;
+  }
+
+  const Rails& rails_;
+  FitOptions options_;
+  std::vector<double> breaks_;
+  KnotList<double> knots_;
+  Sampling samples_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Fit fit_;
+  std::vector<double> beta_;
+  double value_ = 0;
+};
+
+void require(const FitOptions& options) {
+  if (options.degree < 1 || options.degree > 10) {
+    throw InvalidInput("degree", "expected 1 to 10, found " + std::to_string(options.degree));
+  }
+  if (options.coefficients < options.degree + 1 || options.coefficients > 10000) {
+    throw InvalidInput("coefficients", "expected " + std::to_string(options.degree + 1) + " to 10000, found " +
+                                           std::to_string(options.coefficients));
+  }
+}
+
+}  // namespace
+
+std::size_t fit_samples(int degree, int coefficients) {
+  return std::max(least_samples, samples_per_piece * static_cast<std::size_t>(coefficients - degree));
+}
+
+KnotList<double> mapping_knots(int degree, const std::vector<double>& breaks) {
+  std::vector<double> knots(static_cast<std::size_t>(degree), breaks.front());
+  knots.insert(knots.end(), breaks.begin() + 1, breaks.end() - 1);
+  knots.insert(knots.end(), static_cast<std::size_t>(degree), breaks.back());
+  return {degree, std::move(knots)};
+}
+
+Fit fit_rails(const Rails& rails, const FitOptions& options) {
+  require(options);
+  return Fitter(rails, options).run();
+}
+
+}  // namespace torse::quasi

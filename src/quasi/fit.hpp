@@ -1,0 +1,59 @@
+// The most developable ruled surface between two rails: the mapping for which its warp is least.
+//   FitOptions       what to minimise, over which mappings
+//   Fit, fit_rails   the mapping, and how it was found
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "torse/quasi/descent.hpp"
+
+namespace torse::quasi {
+
+/// What is minimised, and the mappings that are tried.
+struct FitOptions {
+  int degree = 2;         ///< of the mapping, 1 to 10
+  int coefficients = 50;  ///< of the mapping, degree + 1 to 10000
+  Measure measure = Measure::mean;
+  AngleKind kind = AngleKind::planes;
+  Ends ends = Ends::fixed;
+  bool adaptive = true;  ///< move the mapping's knots to where the warp is; otherwise they are evenly spaced
+};
+
+/// One descent of a fit.
+struct FitStage {
+  std::string start;  ///< "path", "T = t", "shifted", "moved knots"
+  double before;      ///< the measure in degrees where it began
+  double after;       ///< and where it ended
+  int steps;
+  int evaluations;
+  bool converged;
+};
+
+/// The step of a convergence curve.
+struct FitStep {
+  double value;    ///< the least measure so far, degrees
+  double seconds;  ///< since the start of the fit
+};
+
+/// The result of a fit. It is never worse than T = t, by the measure at the samples.
+struct Fit {
+  Mapping<double> mapping;
+  double value = 0;    ///< the measure at the samples, degrees
+  double initial = 0;  ///< that of T = t
+  std::vector<FitStage> stages{};
+  std::vector<FitStep> curve{};
+  double seconds = 0;
+};
+
+/// The rulings at which a fit samples a mapping with so many coefficients.
+std::size_t fit_samples(int degree, int coefficients);
+
+/// Clamped knots of a mapping over [0, 1] with these ends of pieces.
+KnotList<double> mapping_knots(int degree, const std::vector<double>& breaks);
+
+/// Fits: the best path through a grid of rulings, a descent from there, shifts of its steep places, and, if wanted, a
+/// descent over better knots. Throws InvalidInput naming "degree" or "coefficients".
+Fit fit_rails(const Rails& rails, const FitOptions& options = {});
+
+}  // namespace torse::quasi

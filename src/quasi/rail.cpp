@@ -1,0 +1,77 @@
+#include "torse/quasi/rail.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "torse/spline/insertion.hpp"
+
+namespace torse::quasi {
+namespace {
+
+using Row = Vec<double, 4>;
+
+/// The degree up to which a Bezier polygon needs no memory from the heap.
+constexpr int small_degree = 12;
+
+Vector affine(const Row& row) { return row.tail<3>(); }
+
+/// The quotient x = r / w of a numerator and a weight with their derivatives: r = x w gives r' = x' w + x w' and so on.
+RailJet quotient(const Row& r, const Row& r1, const Row& r2, const Row& r3) {
+  RailJet jet;
+  jet.point = affine(r) / r[0];
+  jet.first = (affine(r1) - r1[0] * jet.point) / r[0];
+  jet.second = (affine(r2) - r2[0] * jet.point - 2 * r1[0] * jet.first) / r[0];
+  jet.third = (affine(r3) - r3[0] * jet.point - 3 * r2[0] * jet.first - 3 * r1[0] * jet.second) / r[0];
+  return jet;
+}
+
+}  // namespace
+
+Rail::Rail(const Spline<double, Row>& curve) : degree_(curve.knots.degree()) {
+  const double weight = curve.control.front()[0];
+  for (const Row& row : curve.control) {
+    if (!row.allFinite()) throw InvalidInput("points", "expected finite numbers");
+    rational_ = rational_ || row[0] != weight;
+  }
+  const double begin = curve.knots.domain_begin();
+  const double length = curve.knots.domain_end() - begin;
+  for (const int k : curve.knots.proper_pieces()) {
+    breaks_.push_back((curve.knots.piece_begin(k) - begin) / length);
+    for (const Row& row : bezier_points(curve.knots, curve.points(), k)) control_.push_back(row / weight);
+  }
+  breaks_.push_back(1);
+}
+
+RailJet Rail::operator()(double t) const {
+  const auto piece = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t) - breaks_.begin() - 1;
+  const double begin = breaks_[static_cast<std::size_t>(piece)];
+  const double length = breaks_[static_cast<std::size_t>(piece) + 1] - begin;
+  const double y = (t - begin) / length;
+  const double x = 1 - y;
+  const auto first = control_.begin() + piece * (degree_ + 1);
+
+  std::array<Row, small_degree + 1> small;
+  std::vector<Row> large;
+  Row* row = small.data();
+  if (degree_ > small_degree) {
+    large.resize(static_cast<std::size_t>(degree_) + 1);
+    row = large.data();
+  }
+  std::copy_n(first, degree_ + 1, row);
+
+  // De Casteljau's algorithm; its last rows hold the differences that the derivatives are made of.
+  Row r1 = Row::Zero(), r2 = Row::Zero(), r3 = Row::Zero();
+  double factor = 1 / (length * length * length);
+  for (int i = 0; i < 3; ++i) factor *= degree_ - i;
+  for (int size = degree_ + 1; size > 1; --size) {
+    if (size == 4) r3 = factor * (row[3] - 3 * row[2] + 3 * row[1] - row[0]);
+    if (size == 3) r2 = (degree_ * (degree_ - 1) / (length * length)) * (row[2] - 2 * row[1] + row[0]);
+    if (size == 2) r1 = (degree_ / length) * (row[1] - row[0]);
+    for (int i = 0; i + 1 < size; ++i) row[i] = x * row[i] + y * row[i + 1];
+  }
+  if (rational_) return quotient(row[0], r1, r2, r3);
+  return {affine(row[0]), affine(r1), affine(r2), affine(r3)};
+}
+
+}  // namespace torse::quasi

@@ -1,0 +1,82 @@
+#include "torse/quasi/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace torse::quasi {
+namespace {
+
+/// The piece on which t lies, the last one at the end of the domain.
+int piece_of(const KnotList<double>& u, double t) {
+  const auto& list = u.list();
+  const auto begin = list.begin() + (u.degree() - 1);
+  const auto end = list.begin() + u.last();
+  const auto above = std::upper_bound(begin + 1, end, t);
+  return static_cast<int>(std::min(above, end) - begin);
+}
+
+/// The basis functions of degree d that are not zero at t, by the recursion of Cox and de Boor.
+void fill_basis(const KnotList<double>& u, int k, double t, double* basis) {
+  const int m = u.degree() + k - 2;
+  basis[0] = 1;
+  for (int r = 1; r <= u.degree(); ++r) {
+    double kept = 0;
+    for (int i = 0; i < r; ++i) {
+      const double lo = u[m + 1 + i - r];
+      const double hi = u[m + 1 + i];
+      const double part = basis[i] / (hi - lo);
+      basis[i] = kept + (hi - t) * part;
+      kept = (t - lo) * part;
+    }
+    basis[r] = kept;
+  }
+}
+
+}  // namespace
+
+Sampling::Sampling(const Rail& c, const KnotList<double>& knots, std::vector<double> parameters)
+    : degree_(knots.degree()), parameters_(std::move(parameters)) {
+  const std::size_t width = static_cast<std::size_t>(degree_) + 1;
+  jets_.reserve(size());
+  first_.reserve(size());
+  basis_.resize(size() * width);
+  for (std::size_t r = 0; r < size(); ++r) {
+    const int k = piece_of(knots, parameters_[r]);
+    jets_.push_back(c(parameters_[r]));
+    first_.push_back(static_cast<std::size_t>(k - 1));
+    fill_basis(knots, k, parameters_[r], basis_.data() + r * width);
+  }
+}
+
+std::vector<double> midpoints(std::size_t count) {
+  std::vector<double> parameters;
+  parameters.reserve(count);
+  for (std::size_t r = 0; r < count; ++r) {
+    parameters.push_back((static_cast<double>(r) + 0.5) / static_cast<double>(count));
+  }
+  return parameters;
+}
+
+WarpStatistics warp_statistics(const Rail& d, const Sampling& samples, std::span<const double> beta) {
+  WarpStatistics statistics;
+  for (std::size_t r = 0; r < samples.size(); ++r) {
+    const RulingAngle ruling = ruling_angle(samples.jet(r), d(samples.value(beta, r)), AngleKind::planes);
+    const double degrees = std::abs(ruling.angle.value) * 180 / std::numbers::pi;
+    statistics.mean += degrees;
+    statistics.rms += degrees * degrees;
+    statistics.max = std::max(statistics.max, degrees);
+    statistics.folded += ruling.folded ? 1 : 0;
+  }
+  const double count = static_cast<double>(samples.size());
+  statistics.mean /= count;
+  statistics.rms = std::sqrt(statistics.rms / count);
+  statistics.folded /= count;
+  return statistics;
+}
+
+WarpStatistics warp_statistics(const Rails& rails, const Mapping<double>& sigma, std::size_t count) {
+  return warp_statistics(rails.d, Sampling(rails.c, sigma.knots, midpoints(count)), coefficients(sigma));
+}
+
+}  // namespace torse::quasi
