@@ -177,6 +177,21 @@ TEST(Classify, PiecesThatAgreeAndPiecesThatDoNot) {
   EXPECT_EQ(two_cones.classified().kind, SurfaceClass::tangent);
 }
 
+/// A cone over the origin, then a part of the plane x = 0 through its last ruling. Seen from the origin along the third
+/// axis the points of both rows are proportional everywhere; the rulings of the plane do not meet the origin.
+TEST(Classify, AConeThatGoesOnAsAPlane) {
+  const std::vector<Point3> c{point(5, 1, 2), point(3, 2, -1), point(0, 2, 1), point(0, 3, 4), point(0, 5, 3)};
+  std::vector<Point3> d;
+  for (const Point3& x : c) d.push_back(scaled(Q(2), x));
+  const std::vector<Q> ones(5, Q(1));
+  EXPECT_EQ((Net{two_pieces, {c, ones}, {d, ones}}.classified().kind), SurfaceClass::cone);
+  d[3] = sum(d[3], point(0, 0, 1));
+  d[4] = sum(d[4], point(0, 0, -2));
+  const Net changed{two_pieces, {c, ones}, {d, ones}};
+  EXPECT_TRUE(changed.developable());
+  EXPECT_EQ(changed.classified().kind, SurfaceClass::tangent);
+}
+
 TEST(Classify, PointsThatActOnNoPieceDoNotCount) {
   // The domain begins at the double knot 1, so that c_0 and d_0 do not act on it.
   const KnotList<Q> u(2, {Q(0), Q(1), Q(1), Q(2), Q(2)});

@@ -76,6 +76,20 @@ TEST(PieceEdge, DegreeAndCurveStayUnderElevationAndTrimming) {
   expect_patch(piece, *patch);
 }
 
+/// The tangents of (t^3, t^2, t): the degree is that of the first coordinate, not of the last.
+TEST(PieceEdge, DegreeIsThatOfTheHighestCoordinate) {
+  const Q third = q(1, 3), one(1), zero(0);
+  const Rows c{row(1, 0, 0, 0), Row(one, zero, zero, third), Row(one, zero, third, third + third), row(1, 1, 1, 1)};
+  Rows d = c;  // c + c'
+  const Rows speed{Row(zero, zero, zero, one), Row(zero, zero, third + third, one), Row(zero, one, third + one, one),
+                   row(0, 3, 2, 1)};
+  for (std::size_t i = 0; i < 4; ++i) add(d[i], speed[i]);
+  const auto edge = edge_of(recover_piece<Q>(bezier_knots<Q>(3), c, d, 1));
+  ASSERT_TRUE(edge.has_value());
+  EXPECT_EQ(edge->degree, 3);
+  EXPECT_TRUE(rank_at_most(1, {at_parameter(edge->row, q(2, 5)), Row(one, q(8, 125), q(4, 25), q(2, 5))}));
+}
+
 TEST(PieceEdge, IsThePapersFormula) {
   const Rows p = cubic_row();
   const Rows d = rational_net<Q, Row>(bezier_knots<Q>(3), p, q(7, 3), q(-5, 2), q(3, 4), row(1, 1, 2, 2));

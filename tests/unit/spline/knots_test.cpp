@@ -24,6 +24,8 @@ TEST(KnotList, CountsVerticesAndPieces) {
   EXPECT_EQ(u.domain_end(), Q(5));
   EXPECT_EQ(u.clamped(), Truth::yes);
   EXPECT_EQ(knots(3, {0, 0, 1, 2, 2, 2, 3, 4, 4}).clamped(), Truth::no);
+  EXPECT_EQ(knots(3, {0, 0, 0, 2, 3, 4, 4}).clamped(), Truth::no);
+  EXPECT_EQ(knots(3, {0, 0, 1, 2, 4, 4, 4}).clamped(), Truth::no);
 }
 
 TEST(KnotList, KnowsItsEmptyPieces) {
@@ -62,6 +64,7 @@ TEST(KnotList, RejectsBadListsAndNamesThePlace) {
   EXPECT_EQ(place_of([] { return knots(2, {0, 2, 1, 3}); }), "knots[2]");
   EXPECT_EQ(place_of([] { return knots(2, {0, 1, 1, 1, 2}); }), "knots[3]");
   EXPECT_EQ(place_of([] { return knots(2, {0, 0, 0, 1}); }), "knots[2]");
+  EXPECT_EQ(place_of([] { return knots(2, {0, 0, 1, 2, 2, 2}); }), "knots[5]");
   EXPECT_EQ(place_of([] { return knots(3, {0, 0, 1, 1, 2, 2}); }), "knots");  // the domain [1, 1]
   EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 3, {Q(0), Q(1)}); }), "knots");
   EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 2, {Q(5), Q(0), Q(1), Q(2), Q(3), Q(4)}); }), "knots[1]");

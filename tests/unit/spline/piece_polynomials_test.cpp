@@ -32,5 +32,20 @@ TEST(PiecePolynomials, AreTheCurve) {
   }
 }
 
+/// Over an interval that does not begin at 0, with a degree more than that of the polynomials.
+TEST(PiecePolynomials, BezierRowsAreTheSamePolynomials) {
+  const std::array<Polynomial<Q>, 2> row{Polynomial<Q>(std::vector<Q>{Q(3), Q(-1), Q(2)}),
+                                         Polynomial<Q>(std::vector<Q>{Q(0), Q(5)})};
+  const Q a(2), b = ratio<Q>(7, 2);
+  for (const int degree : {2, 3, 5}) {
+    const std::vector<Point2> points = bezier_rows(row, degree, a, b);
+    ASSERT_EQ(points.size(), static_cast<std::size_t>(degree) + 1);
+    for (int i = -1; i <= 4; ++i) {
+      const Q t = a + ratio<Q>(i, 3) * (b - a);
+      EXPECT_EQ(Point2(row[0](t), row[1](t)), value(bezier_knots<Q>(degree, a, b), points, 1, t));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace torse::test

@@ -1,0 +1,82 @@
+// Bounds of strips and the normals of a mesh against values by hand.
+#include "torse/developable/strips.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "torse/developable/mesh.hpp"
+
+namespace torse {
+namespace {
+
+Vec<Interval, 3> point(double x, double y, double z) {
+  return {Interval::point(x), Interval::point(y), Interval::point(z)};
+}
+
+/// One piece by points with weight 1.
+RuledPiece piece(const ArcPoints& c, const ArcPoints& d) {
+  const auto row = [](const ArcPoints& points) {
+    ArcRow rows;
+    for (const auto& x : points) rows.emplace_back(Interval(1), x[0], x[1], x[2]);
+    return rows;
+  };
+  return {row(c), row(d), {c.front(), c.back()}, {d.front(), d.back()}};
+}
+
+/// x = 6t - 5t^2 goes on to 9/5 at t = 3/5 before it comes back to 1, all along the chord [0, 1].
+TEST(RailDeviation, SeesACurveThatRunsBeyondItsChord) {
+  EXPECT_GE(rail_deviation({point(0, 0, 0), point(3, 0, 0), point(1, 0, 0)}), 0.8);
+  EXPECT_GE(rail_deviation({point(0, 0, 0), point(-2, 0, 0), point(1, 0, 0)}), 0.8);
+  EXPECT_EQ(rail_deviation({point(0, 0, 0), point(0.5, 0, 0), point(1, 0, 0)}), 0);
+}
+
+/// A unit square with one corner lifted by z. The middle of the diagonal to that corner is over the other diagonal by
+/// z/2, z/(2 sqrt(1 + 2z^2)) away from the nearer triangle, through (1, 0, 0), (1, 1, z) and (0, 1, 0).
+TEST(QuadDeviation, ReachesTheMiddleOfTheLongerDiagonal) {
+  for (const double z : {1e-3, 0.1, 0.5}) {
+    const double bound = quad_deviation(point(0, 0, 0), point(1, 0, 0), point(0, 1, 0), point(1, 1, z));
+    EXPECT_GE(bound, z / 2 / std::sqrt(1 + 2 * z * z));
+    EXPECT_LE(bound, z / 2 * (1 + 1e-12));
+  }
+}
+
+/// The corners of a plane rectangle are rounded to single precision, and nothing else is off.
+TEST(CutStrips, RoundingIsPartOfTheDeviation) {
+  const Interval third = Interval(1) / Interval(3);
+  const auto at = [&](int x, int y) { return Vec<Interval, 3>(third * Interval(x), third * Interval(y), Interval()); };
+  const RuledArcs arcs{{piece({at(1, 1), at(7, 1)}, {at(1, 5), at(7, 5)})}, 0};
+  const auto strips = cut_strips(arcs, 1e-3, MeshPrecision::single_float);
+  ASSERT_EQ(strips.size(), 1U);
+  const double off = std::abs(static_cast<double>(static_cast<float>(7.0 / 3)) - 7.0 / 3);
+  EXPECT_GE(strips[0].deviation, off);
+  EXPECT_LE(strips[0].deviation, 10 * off);
+}
+
+/// The cylinder over y = t^2 with rulings along z: the normals (2t, -1, 0), longer than 1, at both ends of both rails.
+TEST(CutStrips, NormalsAtBothEndsOfBothRails) {
+  const RuledArcs arcs{
+      {piece({point(0, 0, 0), point(0.5, 0, 0), point(1, 1, 0)}, {point(0, 0, 1), point(0.5, 0, 1), point(1, 1, 1)})},
+      0};
+  const auto strips = cut_strips(arcs, 1, MeshPrecision::double_float);
+  ASSERT_EQ(strips.size(), 1U);
+  const double root = std::sqrt(5.0);
+  for (const auto& normals : {strips[0].c_normal, strips[0].d_normal}) {
+    ASSERT_TRUE(normals[0] && normals[1]);
+    EXPECT_EQ(*normals[0], (MeshVector{0, -1, 0}));
+    EXPECT_DOUBLE_EQ((*normals[1])[0], 2 / root);
+    EXPECT_DOUBLE_EQ((*normals[1])[1], -1 / root);
+  }
+  // The corners of the mesh have the normals of their points.
+  const TriangleMesh mesh = mesh_of_strips(arcs, strips);
+  ASSERT_EQ(mesh.triangles.size(), 2U);
+  for (const auto& triangle : mesh.triangles) {
+    for (const MeshCorner& corner : triangle) {
+      const double x = mesh.points[corner.point][0];
+      EXPECT_NEAR(mesh.normals[corner.normal][0], 2 * x / std::sqrt(1 + 4 * x * x), 1e-15);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace torse
