@@ -25,6 +25,7 @@ constexpr Command commands[] = {
     {"example", "the papers' worked examples, printed beside computed values", define_example},
     {"check", "decide exactly whether ruled surfaces are developable, and their class", define_check},
     {"construct", "make a developable surface through a curve", define_construct},
+    {"fit", "the most developable ruled surface between two rails", define_fit},
     {"recover", "Lambda, M, sigma, class, edge and singular parameters from the net alone", define_recover},
     {"convert", "write ruled surfaces as STEP, IGES, OBJ, STL, glTF or JSON", define_convert},
     {"campaign", "properties over ranges of seeds, in a database that can be resumed, merged and compared",

@@ -20,6 +20,12 @@ constexpr int most_columns = 200;
 constexpr std::size_t samples_per_piece = 4;
 constexpr std::size_t least_samples = 100;
 
+/// As much as equal coefficients are moved apart, together.
+constexpr double least_rise = 1e-6;
+
+/// Knots are multiples of its inverse: short numbers, so that the exact surface has short ones too.
+constexpr double knot_grid = 0x1p24;
+
 /// A place is steep where a coefficient exceeds the one before by so many times the mean difference.
 constexpr double steep = 4;
 
@@ -29,7 +35,7 @@ constexpr double worth_while = 0.999;
 
 std::vector<double> even_breaks(int pieces) {
   std::vector<double> breaks;
-  for (int i = 0; i <= pieces; ++i) breaks.push_back(static_cast<double>(i) / pieces);
+  for (int i = 0; i <= pieces; ++i) breaks.push_back(std::round(knot_grid * i / pieces) / knot_grid);
   return breaks;
 }
 
@@ -51,10 +57,33 @@ std::vector<double> moved_breaks(const std::vector<double>& breaks, const std::v
     const double wanted = mass.back() * static_cast<double>(i) / static_cast<double>(pieces);
     while (mass[at + 1] < wanted) ++at;
     const double share = (wanted - mass[at]) / (mass[at + 1] - mass[at]);
-    moved.push_back(breaks[at] + share * (breaks[at + 1] - breaks[at]));
+    const double place = std::round((breaks[at] + share * (breaks[at + 1] - breaks[at])) * knot_grid) / knot_grid;
+    if (place > moved.back() && place < 1) moved.push_back(place);
   }
+  if (moved.size() < pieces) return breaks;
   moved.push_back(1);
   return moved;
+}
+
+/// Where more than `degree` coefficients in a row are equal the mapping would rest on a point of the second rail and
+/// the surface be a cone with a singular vertex there. They are moved apart, by a total of `least_rise` at most,
+/// upwards or, at the end of the rail, downwards.
+void part_equal(std::vector<double>& beta, int degree) {
+  const std::size_t n = beta.size();
+  for (std::size_t begin = 0; begin < n;) {
+    std::size_t end = begin + 1;
+    while (end < n && beta[end] == beta[begin]) ++end;
+    const std::size_t run = end - begin;
+    if (run > static_cast<std::size_t>(degree) && run < n) {
+      const bool up = end < n;
+      const double gap = up ? beta[end] - beta[begin] : beta[begin] - beta[begin - 1];
+      const double step = std::min(least_rise, gap / 2) / static_cast<double>(run);
+      for (std::size_t i = begin; i < end; ++i) {
+        beta[i] += up ? step * static_cast<double>(i - begin) : -step * static_cast<double>(end - 1 - i);
+      }
+    }
+    begin = end;
+  }
 }
 
 class Fitter {
@@ -77,6 +106,7 @@ class Fitter {
     if (fit_.stages.back().after >= fit_.initial) try_start("T = t", identity);
     shift_steep_places();
     if (options_.adaptive) move_knots();
+    part_equal(beta_, options_.degree);
     fit_.mapping = mapping_of(knots_, beta_);
     fit_.value = value_;
     fit_.seconds = elapsed();

@@ -40,7 +40,7 @@ struct PaperFit {
   bool converged = false;
   int steps = 0;
   int evaluations = 0;
-  double gradient_error = 0;  ///< largest difference of the gradient at the start from central differences, relative
+  double gradient_error = 0;  ///< largest difference of the gradient from central differences, near the start, relative
   std::vector<PaperStep> curve;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <utility>
 
 #include "torse/spline/insertion.hpp"
 
@@ -26,22 +26,37 @@ RailJet quotient(const Row& r, const Row& r1, const Row& r2, const Row& r3) {
   return jet;
 }
 
-}  // namespace
-
-Rail::Rail(const Spline<double, Row>& curve) : degree_(curve.knots.degree()) {
-  const double weight = curve.control.front()[0];
-  for (const Row& row : curve.control) {
-    if (!row.allFinite()) throw InvalidInput("points", "expected finite numbers");
-    rational_ = rational_ || row[0] != weight;
-  }
+/// The ends of the proper pieces, mapped to [0, 1].
+std::vector<double> breaks_of(const Spline<double, Row>& curve) {
   const double begin = curve.knots.domain_begin();
   const double length = curve.knots.domain_end() - begin;
-  for (const int k : curve.knots.proper_pieces()) {
-    breaks_.push_back((curve.knots.piece_begin(k) - begin) / length);
-    for (const Row& row : bezier_points(curve.knots, curve.points(), k)) control_.push_back(row / weight);
-  }
-  breaks_.push_back(1);
+  std::vector<double> breaks;
+  for (const int k : curve.knots.proper_pieces()) breaks.push_back((curve.knots.piece_begin(k) - begin) / length);
+  breaks.push_back(1);
+  return breaks;
 }
+
+std::vector<Row> bezier_rows(const Spline<double, Row>& curve) {
+  std::vector<Row> rows;
+  for (const int k : curve.knots.proper_pieces()) {
+    for (const Row& row : bezier_points(curve.knots, curve.points(), k)) rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace
+
+Rail::Rail(int degree, std::vector<double> breaks, std::vector<Row> control)
+    : degree_(degree), breaks_(std::move(breaks)), control_(std::move(control)) {
+  const double weight = control_.front()[0];
+  for (Row& row : control_) {
+    if (!row.allFinite()) throw InvalidInput("points", "expected finite numbers");
+    rational_ = rational_ || row[0] != weight;
+    row /= weight;
+  }
+}
+
+Rail::Rail(const Spline<double, Row>& curve) : Rail(curve.knots.degree(), breaks_of(curve), bezier_rows(curve)) {}
 
 RailJet Rail::operator()(double t) const {
   const auto piece = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t) - breaks_.begin() - 1;

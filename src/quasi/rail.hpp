@@ -26,9 +26,12 @@ struct RailJet {
 /// first and the last piece go on.
 class Rail {
  public:
-  /// Takes homogeneous rows w (1, c) in doubles. Coordinates should be of size 1 (see unit_frame of frame.hpp). Throws
-  /// InvalidInput naming "points" for numbers that are not finite.
+  /// Takes homogeneous rows w (1, c). Throws InvalidInput naming "points" for numbers that are not finite.
   explicit Rail(const Spline<double, Vec<double, 4>>& curve);
+
+  /// Takes Bezier pieces: the ends of their intervals, 0 first and 1 last, each after the one before, and degree + 1
+  /// homogeneous rows for each piece. Throws like the other.
+  Rail(int degree, std::vector<double> breaks, std::vector<Vec<double, 4>> control);
 
   /// The curve and its derivatives at t.
   RailJet operator()(double t) const;

@@ -1,0 +1,227 @@
+// torse fit: the most developable ruled surface between two rails (BZZ19).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "torse/cli/command.hpp"
+#include "torse/cli/conversion.hpp"
+#include "torse/cli/fit_report.hpp"
+#include "torse/cli/suggest.hpp"
+#include "torse/cli/terminal.hpp"
+#include "torse/io/file.hpp"
+#include "torse/io/text.hpp"
+#include "torse/spline/compatible.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct FitCommand {
+  std::string input;
+  std::vector<std::string> outputs;
+  std::string method = "warp";
+  std::string measure = "mean";
+  std::string ends = "fixed";
+  int degree = 2;
+  int coefficients = 50;
+  bool even_knots = false;
+  bool regular = false;
+  bool reverse = false;
+  std::string max_warp;
+  std::string json;
+};
+
+/// The value that a word stands for. Throws UsageError listing the words.
+template <class T, std::size_t N>
+T choice(const char* option, const std::string& word, const std::array<std::pair<const char*, T>, N>& choices) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : choices) {
+    if (word == name) return value;
+    words.emplace_back(name);
+  }
+  throw UsageError(fmt::format("{}: expected {}, found {}{}", option, fmt::join(words, ", "), in_quotes(word),
+                               suggestion(word, words)));
+}
+
+FitWishes wishes_of(const FitCommand& command) {
+  constexpr std::array methods{std::pair{"warp", FitMethod::warp}, std::pair{"paper", FitMethod::paper},
+                               std::pair{"discrete", FitMethod::discrete}, std::pair{"same", FitMethod::same}};
+  constexpr std::array measures{std::pair{"mean", quasi::Measure::mean}, std::pair{"rms", quasi::Measure::rms},
+                                std::pair{"max", quasi::Measure::max}};
+  constexpr std::array ends{std::pair{"fixed", quasi::Ends::fixed}, std::pair{"free", quasi::Ends::free}};
+  FitWishes wishes;
+  wishes.method = choice("--method", command.method, methods);
+  wishes.options = {.degree = command.degree,
+                    .coefficients = command.coefficients,
+                    .measure = choice("--measure", command.measure, measures),
+                    .kind = command.regular ? quasi::AngleKind::sides : quasi::AngleKind::planes,
+                    .ends = choice("--ends", command.ends, ends),
+                    .adaptive = !command.even_knots};
+  if (command.coefficients < command.degree + 1) {
+    throw UsageError(fmt::format("--coefficients: expected at least {} for degree {}, found {}", command.degree + 1,
+                                 command.degree, command.coefficients));
+  }
+  if (!command.max_warp.empty()) wishes.max_warp = read_angle(command.max_warp);
+  return wishes;
+}
+
+CurveFile<Rational> reversed(const CurveFile<Rational>& curve) {
+  const auto rows = homogeneous(curve.net);
+  const Spline<Rational, Vec<Rational, 4>> back =
+      reversed_spline(Spline<Rational, Vec<Rational, 4>>(curve.knots, rows));
+  return {back.knots, dehomogenize<Rational, 4>(back.control)};
+}
+
+RailsFile<Rational> rails_of(const FitCommand& command) {
+  const Document document(command.input, read_file(command.input));
+  RailsFile<Rational> rails = read_rails<Rational>(document);
+  if (command.reverse) rails.d = reversed(rails.d);
+  return rails;
+}
+
+Rational squared_distance(const Vec<Rational, 3>& x, const Vec<Rational, 3>& y) {
+  const Vec<Rational, 3> w = difference(x, y);
+  return dot(w, w);
+}
+
+/// The end points of a rail.
+std::pair<Vec<Rational, 3>, Vec<Rational, 3>> ends_of(const CurveFile<Rational>& curve) {
+  const Spline<Rational, Vec<Rational, 4>> rows(curve.knots, homogeneous(curve.net));
+  const std::vector<int> pieces = curve.knots.proper_pieces();
+  const auto at = [&](int k, const Rational& t) {
+    return dehomogenize<Rational, 4>({curve_point(rows.knots, rows.points(), k, t)}).points.front();
+  };
+  return {at(pieces.front(), curve.knots.domain_begin()), at(pieces.back(), curve.knots.domain_end())};
+}
+
+/// Whether the rails run in opposite directions, as far as the distances of their ends tell.
+bool opposite(const RailsFile<Rational>& rails) {
+  const auto [c0, c1] = ends_of(rails.c);
+  const auto [d0, d1] = ends_of(rails.d);
+  return squared_distance(c0, d1) + squared_distance(c1, d0) < squared_distance(c0, d0) + squared_distance(c1, d1);
+}
+
+Face face_of(const FitCommand& command, const FittedStrip& strip) {
+  return {.file = command.input, .name = name_of_file(command.input), .surface = strip.surface};
+}
+
+std::string bytes_of(const std::string& output, const Face& face) {
+  if (output == "-") return write_ruled(*face.surface);
+  const OutputFormat format = format_of(output);
+  if (format == OutputFormat::json) return write_ruled(*face.surface);
+  if (is_mesh(format)) return convert_to_mesh({face}, format, std::nullopt).bytes;
+  return convert_to_cad({face}, {format, millimetres(), 1e-7, std::nullopt, printable(output)}).bytes;
+}
+
+int code_of(const FitCommand& command, const FittedStrip& strip) {
+  if (command.max_warp.empty() || !strip.certified) return exit_code::success;
+  const Truth within = strip.certified->within_limit;
+  return within == Truth::yes ? exit_code::success : within == Truth::no ? exit_code::refuted : exit_code::undecided;
+}
+
+std::vector<std::string> replay_words(const FitCommand& command) {
+  std::vector<std::string> words{"torse",
+                                 "fit",
+                                 command.input,
+                                 "--method",
+                                 command.method,
+                                 "--measure",
+                                 command.measure,
+                                 "--ends",
+                                 command.ends,
+                                 "--degree",
+                                 std::to_string(command.degree),
+                                 "--coefficients",
+                                 std::to_string(command.coefficients)};
+  if (command.even_knots) words.emplace_back("--even-knots");
+  if (command.regular) words.emplace_back("--regular");
+  if (command.reverse) words.emplace_back("--reverse");
+  if (!command.max_warp.empty()) words.insert(words.end(), {"--max-warp", command.max_warp});
+  for (const std::string& output : command.outputs) words.insert(words.end(), {"-o", output});
+  return words;
+}
+
+int fit(const FitCommand& command, const FitWishes& wishes) {
+  const RailsFile<Rational> rails = rails_of(command);
+  const FittedStrip strip = [&] {
+    try {
+      return fit_strip(rails, wishes);
+    } catch (const InvalidInput& invalid) {
+      throw FileError(command.input, invalid.what());
+    }
+  }();
+  const Face face = face_of(command, strip);
+  std::vector<std::string> bytes;
+  for (const std::string& output : command.outputs) bytes.push_back(bytes_of(output, face));
+  for (std::size_t i = 0; i < bytes.size(); ++i) write_file(command.outputs[i], bytes[i]);
+
+  const FitTitle title{printable(command.input), face.name, command.method, command.measure, command.ends};
+  const bool stdout_taken = command.json == "-" || std::ranges::count(command.outputs, "-") > 0;
+  const Terminal terminal(stdout_taken ? stderr : stdout);
+  if (command.json != "-") {
+    terminal.print(fit_text(title, strip, terminal));
+    if (opposite(rails)) {
+      terminal.print("  the rails run in opposite directions, it seems: --reverse takes the second one from its end\n");
+    }
+  }
+  if (!command.json.empty()) {
+    write_file(command.json,
+               Json{{"torse", 1}, {"surfaces", {fit_json(title, strip)}}, {"errors", Json::array()}}.dump(2) + '\n');
+  }
+  return code_of(command, strip);
+}
+
+int run_fit(const FitCommand& command) {
+  const FitWishes wishes = wishes_of(command);
+  for (const std::string& output : command.outputs) {
+    if (output != "-") format_of(output);
+  }
+  if (command.json == "-" && std::ranges::count(command.outputs, "-") > 0) {
+    throw UsageError("-o - and --json -: only one of them can be written to standard output");
+  }
+  try {
+    return fit(command, wishes);
+  } catch (const FileError& error) {
+    print_error(std::string(error.what()) + "\n  replay: " + printable(command_line(replay_words(command))));
+    return exit_code::unusable;
+  }
+}
+
+}  // namespace
+
+std::function<int()> define_fit(CLI::App& app) {
+  const auto command = std::make_shared<FitCommand>();
+  app.add_option("RAILS", command->input, "two curves, torse's JSON of type \"rails\"; - is standard input")
+      ->required();
+  app.add_option("-o,--output", command->outputs,
+                 "the ruled surface: .json (- on standard output), .step, .iges, .obj, .stl, .gltf or .glb")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--method", command->method, "warp: ours; paper, discrete: those of BZZ19; same: T = t")
+      ->capture_default_str();
+  app.add_option("--measure", command->measure, "of the warp angle: mean, rms or max")->capture_default_str();
+  app.add_option("--ends", command->ends,
+                 "fixed: the rails' ends belong together; free: an end of the second rail may stay unused")
+      ->capture_default_str();
+  app.add_option("--degree", command->degree, "of the mapping")->capture_default_str()->check(CLI::Range(1, 10));
+  app.add_option("--coefficients", command->coefficients, "of the mapping")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 10000));
+  app.add_flag("--even-knots", command->even_knots, "evenly spaced knots of the mapping, not where the warp is");
+  app.add_flag("--regular", command->regular,
+               "count angles beyond 90 degrees, where the surface folds over, as what they are");
+  app.add_flag("--reverse", command->reverse, "take the second rail from its end to its begin");
+  app.add_option("--max-warp", command->max_warp, "exit code 1 if the certified largest warp angle exceeds ANGLE")
+      ->type_name("ANGLE");
+  app.add_option("--json", command->json, "write the report as JSON; - is standard output")->type_name("FILE");
+  return [command] { return run_fit(*command); };
+}
+
+}  // namespace torse::cli

@@ -1,0 +1,190 @@
+#include "torse/cli/fitting.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "torse/cli/judge.hpp"
+#include "torse/exact/quasi/snap.hpp"
+#include "torse/io/limits.hpp"
+#include "torse/quasi/surface.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Row = Vec<Rational, 4>;
+using Curve = Spline<Rational, Row>;
+
+Curve curve_of(const CurveFile<Rational>& file) { return {file.knots, homogeneous(file.net)}; }
+
+/// x -> factor (x - middle), which takes all control points into [-1/2, 1/2]^3.
+struct UnitFrame {
+  Vec<Rational, 3> middle;
+  Rational factor;
+};
+
+UnitFrame unit_frame(const RailsFile<Rational>& rails) {
+  Vec<Rational, 3> low = rails.c.net.points.front();
+  Vec<Rational, 3> high = low;
+  for (const auto* net : {&rails.c.net, &rails.d.net}) {
+    for (const auto& point : net->points) {
+      for (int j = 0; j < 3; ++j) {
+        low[j] = std::min(low[j], point[j]);
+        high[j] = std::max(high[j], point[j]);
+      }
+    }
+  }
+  UnitFrame frame;
+  Rational size(0);
+  for (int j = 0; j < 3; ++j) {
+    frame.middle[j] = (low[j] + high[j]) / Rational(2);
+    size = std::max(size, Rational(high[j] - low[j]));
+  }
+  if (size.sign() == 0) throw InvalidInput("c", "expected rails, found one point");
+  frame.factor = Rational(1) / size;
+  return frame;
+}
+
+/// The Bezier pieces of a curve in the frame, divided by the largest weight, over [0, 1].
+quasi::Rail unit_rail(const CurveFile<Rational>& file, const UnitFrame& frame) {
+  Rational largest(0);
+  for (const Rational& w : file.net.weights) largest = std::max(largest, w.sign() < 0 ? Rational(-w) : w);
+  Curve curve = curve_of(file);
+  for (Row& row : curve.control) {
+    for (int j = 0; j < 3; ++j) row[j + 1] = frame.factor * (row[j + 1] - row[0] * frame.middle[j]) / largest;
+    row[0] /= largest;
+  }
+  const KnotList<Rational>& u = curve.knots;
+  const Rational length = u.domain_end() - u.domain_begin();
+  std::vector<double> breaks{0};
+  std::vector<Vec<double, 4>> control;
+  for (const int k : u.proper_pieces()) {
+    const double end =
+        k == u.proper_pieces().back() ? 1 : Rational((u.piece_end(k) - u.domain_begin()) / length).to_double();
+    if (!(end > breaks.back())) continue;
+    breaks.push_back(end);
+    for (const Row& row : bezier_points(u, curve.points(), k)) {
+      control.push_back(Vec<double, 4>(row[0].to_double(), row[1].to_double(), row[2].to_double(), row[3].to_double()));
+    }
+  }
+  return {u.degree(), std::move(breaks), std::move(control)};
+}
+
+/// The fitted mapping between the domains of the rails, as the exact numbers that its doubles are.
+Mapping<Rational> between_domains(const Mapping<double>& sigma, const KnotList<Rational>& c,
+                                  const KnotList<Rational>& d) {
+  const Rational c_length = c.domain_end() - c.domain_begin();
+  const Rational d_length = d.domain_end() - d.domain_begin();
+  std::vector<Rational> knots;
+  for (const double t : sigma.knots.list()) knots.push_back(c.domain_begin() + c_length * Rational::from_double(t));
+  std::vector<Rational> beta;
+  for (const double b : coefficients(sigma)) beta.push_back(d.domain_begin() + d_length * Rational::from_double(b));
+  return mapping_of(KnotList<Rational>(sigma.knots.degree(), std::move(knots)), beta);
+}
+
+/// The literal method may leave the rail: there it is held at the rail's end.
+std::vector<double> on_the_rail(std::vector<double> beta, quasi::Ends ends) {
+  for (double& b : beta) b = std::clamp(b, 0.0, 1.0);
+  if (ends == quasi::Ends::fixed) {
+    beta.front() = 0;
+    beta.back() = 1;
+  }
+  return beta;
+}
+
+/// T = t over [0, 1].
+Mapping<double> same_parameter() { return identity_mapping(bezier_knots<double>(1)); }
+
+KnotList<double> even_knots(const quasi::FitOptions& options) {
+  const int pieces = options.coefficients - options.degree;
+  std::vector<double> breaks;
+  for (int i = 0; i <= pieces; ++i) breaks.push_back(static_cast<double>(i) / pieces);
+  return quasi::mapping_knots(options.degree, breaks);
+}
+
+MethodResult run_paper(const quasi::Rails& rails, const quasi::FitOptions& options) {
+  const KnotList<double> knots = even_knots(options);
+  quasi::PaperFit fit = quasi::paper_fit(rails, knots, {.ends = options.ends, .check_gradient = true});
+  return {.sigma = mapping_of(knots, on_the_rail(fit.beta, options.ends)), .paper = std::move(fit)};
+}
+
+MethodResult run_discrete(const quasi::Rails& rails, quasi::FitOptions options) {
+  options.degree = 1;
+  const std::size_t samples = static_cast<std::size_t>(options.coefficients);
+  quasi::PaperFit fit = quasi::discrete_fit(rails, {.samples = samples, .ends = options.ends, .check_gradient = true});
+  return {.sigma = mapping_of(even_knots(options), on_the_rail(fit.beta, options.ends)), .paper = std::move(fit)};
+}
+
+MethodResult run_warp(const quasi::Rails& rails, const quasi::FitOptions& options) {
+  quasi::Fit fit = quasi::fit_rails(rails, options);
+  return {.sigma = fit.mapping, .fit = std::move(fit)};
+}
+
+MethodResult run_method(const quasi::Rails& rails, const FitWishes& wishes) {
+  const auto start = std::chrono::steady_clock::now();
+  MethodResult result = wishes.method == FitMethod::warp       ? run_warp(rails, wishes.options)
+                        : wishes.method == FitMethod::paper    ? run_paper(rails, wishes.options)
+                        : wishes.method == FitMethod::discrete ? run_discrete(rails, wishes.options)
+                                                               : MethodResult{same_parameter()};
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+RuledFile<Rational> ruled_file(const RuledSpline<Rational, Row>& surface) {
+  return {surface.knots, dehomogenize<Rational, 4>(surface.c), dehomogenize<Rational, 4>(surface.d)};
+}
+
+void require_size(const RailsFile<Rational>& rails, const FitWishes& wishes) {
+  const bool linear = wishes.method == FitMethod::discrete || wishes.method == FitMethod::same;
+  const int mapping = linear ? 1 : wishes.options.degree;
+  const int degree = std::max(rails.c.knots.degree(), rails.d.knots.degree() * mapping);
+  if (degree > limits::degree) {
+    throw InvalidInput("d.degree", "a mapping of degree " + std::to_string(mapping) + " gives a surface of degree " +
+                                       std::to_string(degree) + ", expected at most " + std::to_string(limits::degree));
+  }
+  const std::size_t pieces = rails.c.knots.proper_pieces().size() + rails.d.knots.proper_pieces().size() +
+                             static_cast<std::size_t>(wishes.options.coefficients);
+  if (pieces * static_cast<std::size_t>(degree) > static_cast<std::size_t>(limits::points)) {
+    throw InvalidInput("c.knots", "the surface would have " + std::to_string(pieces) + " pieces of degree " +
+                                      std::to_string(degree) + ", expected at most " + std::to_string(limits::points) +
+                                      " control points");
+  }
+}
+
+double degrees_of(const Angle& angle) { return angle.value.to_double() * (angle.radians ? 180 / std::numbers::pi : 1); }
+
+}  // namespace
+
+quasi::Rails unit_rails(const RailsFile<Rational>& rails) {
+  const UnitFrame frame = unit_frame(rails);
+  return {unit_rail(rails.c, frame), unit_rail(rails.d, frame)};
+}
+
+FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes) {
+  require_size(rails, wishes);
+  const quasi::Rails unit = unit_rails(rails);
+  MethodResult method = run_method(unit, wishes);
+  const SnappedMapping exact =
+      snapped(between_domains(method.sigma, rails.c.knots, rails.d.knots), rails.c.knots, rails.d.knots);
+  FittedStrip strip{
+      .method = std::move(method),
+      .sigma = exact.sigma,
+      .change = exact.change / (rails.d.knots.domain_end() - rails.d.knots.domain_begin()),
+      .monotony = {},
+      .surface = ruled_file(quasi_surface(curve_of(rails.c), curve_of(rails.d), exact.sigma)),
+      .before = quasi::warp_statistics(unit, same_parameter(), measured_rulings),
+      .after = {},
+      .certified = {},
+      .threshold = wishes.max_warp ? degrees_of(*wishes.max_warp) : default_threshold,
+      .findings = {},
+  };
+  strip.after = quasi::warp_statistics(unit, strip.method.sigma, measured_rulings);
+  strip.findings = quasi::diagnose(unit, strip.method.sigma, {.threshold = strip.threshold});
+  strip.monotony = decide_monotony(strip.sigma);
+  if (!judge(strip.surface).developable()) strip.certified = judge_warp(strip.surface, wishes.max_warp);
+  return strip;
+}
+
+}  // namespace torse::cli

@@ -1,0 +1,67 @@
+// What torse fit does with a pair of rails.
+//   FitMethod           the paper's methods, ours, or T = t as it stands
+//   FitWishes           what the command line asks for
+//   UnitRails           the rails in doubles, at the origin and of size 1
+//   MethodResult        a mapping and how it was found
+//   FittedStrip         the mapping and the exact surface, with all that is known of them
+//   fit_strip           from the rails of a file
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "torse/cli/warp.hpp"
+#include "torse/exact/quasi/monotony.hpp"
+#include "torse/io/spline_file.hpp"
+#include "torse/quasi/diagnosis.hpp"
+#include "torse/quasi/fit.hpp"
+#include "torse/quasi/paper_fit.hpp"
+
+namespace torse::cli {
+
+/// warp: ours. paper: BZZ19's continuous mapping. discrete: its discrete one. same: T = t.
+enum class FitMethod { warp, paper, discrete, same };
+
+struct FitWishes {
+  FitMethod method = FitMethod::warp;
+  quasi::FitOptions options;
+  std::optional<Angle> max_warp;
+};
+
+/// The rails of a file, moved and scaled by one exact map into the unit cube around the origin, then rounded.
+quasi::Rails unit_rails(const RailsFile<Rational>& rails);
+
+/// A mapping over [0, 1] with the record of the method that found it.
+struct MethodResult {
+  Mapping<double> sigma;
+  std::optional<quasi::Fit> fit{};         ///< of our method
+  std::optional<quasi::PaperFit> paper{};  ///< of the paper's
+  double seconds = 0;
+};
+
+/// A strip between two rails.
+struct FittedStrip {
+  MethodResult method;
+  Mapping<Rational> sigma;  ///< from the domain of c into that of d
+  Rational change;          ///< of the fitted mapping for the exact surface, relative to the domain of d
+  MonotonyVerdict monotony;
+  RuledFile<Rational> surface;           ///< (1-v) c(t) + v d(sigma(t)), exactly
+  quasi::WarpStatistics before;          ///< of T = t, sampled
+  quasi::WarpStatistics after;           ///< of the mapping, at other rulings than those of the fit
+  std::optional<WarpVerdict> certified;  ///< none for a surface that is exactly developable
+  double threshold = 0;                  ///< degrees: the warp beyond which `findings` tell why
+  std::vector<quasi::Finding> findings;  ///< parameters over [0, 1]
+};
+
+/// The warp, in degrees, that a diagnosis is about where no other is asked for.
+inline constexpr double default_threshold = 1;
+
+/// As many rulings as `before` and `after` are measured at.
+inline constexpr std::size_t measured_rulings = 2000;
+
+/// Fits, makes the exact surface and certifies it. Throws InvalidInput naming "c" or "d" for rails that are points or
+/// too long for doubles, or whose surface would have a degree or a size beyond the limits.
+FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes);
+
+}  // namespace torse::cli

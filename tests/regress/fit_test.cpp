@@ -1,0 +1,176 @@
+// torse fit, the real program: the surface is exactly on its rails and on the mapping that is reported, exit codes,
+// what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+#include "torse/exact/rational/rational.hpp"
+#include "torse/io/spline_file.hpp"
+#include "torse/quasi/mapping.hpp"
+
+namespace torse::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using Q = Rational;
+
+/// c(t) = d(t^2) + (1 + t) e: a cylinder.
+const std::string cylinder = R"({"torse": 1, "type": "rails",
+  "c": {"degree": 4, "points": [[0,0,1],[0,0,"5/4"],["1/6",0,"3/2"],["1/2",0,"7/4"],[1,1,2]]},
+  "d": {"degree": 2, "points": [[0,0,0],["1/2",0,0],[1,1,0]]}})";
+
+/// Two cubics with knots, weights and domains of their own.
+const std::string strip = R"({"torse": 1, "type": "rails",
+  "c": {"degree": 3, "knots": [2,2,2,3,5,5,5], "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1],[4,0,0]]},
+  "d": {"degree": 2, "knots": [0,0,"1/3",1,1], "points": [[0.2,1.5,0.1],[1.5,1.9,0.6],[2.5,1.3,-0.1],[4.1,1.4,0.4]],
+        "weights": [1,2,1,1]}})";
+
+const std::string skew = R"({"torse": 1, "type": "rails",
+  "c": {"degree": 1, "points": [[-1,0,0],[1,0,0]]}, "d": {"degree": 1, "points": [[0,-1,1],[0,1,1]]}})";
+
+const std::string point = R"({"torse": 1, "type": "rails",
+  "c": {"degree": 1, "points": [[1,2,3],[1,2,3]]}, "d": {"degree": 1, "points": [[1,2,3],[1,2,3]]}})";
+
+class Fit : public ::testing::Test {
+ public:
+  std::string file(const std::string& name, const std::string& text = "") const {
+    if (!text.empty()) spill(scratch / name, text);
+    return (scratch / name).string();
+  }
+
+  ProgramResult run(const std::string& text, const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> words{"fit", file("rails.json", text), "-o", file("out.json")};
+    words.insert(words.end(), options.begin(), options.end());
+    return run_program(words);
+  }
+
+  /// The report on the one strip.
+  json report(const std::string& text, std::vector<std::string> options = {}) const {
+    options.insert(options.end(), {"--json", file("report.json")});
+    const ProgramResult result = run(text, options);
+    EXPECT_EQ(result.exit, 0) << result.err;
+    return json::parse(slurp(scratch / "report.json")).at("surfaces").at(0);
+  }
+
+  RuledFile<Q> written() const { return read_ruled<Q>(Document("out.json", slurp(scratch / "out.json"))); }
+
+  const Scratch scratch;
+};
+
+using Row = Vec<Q, 4>;
+
+Vec<Q, 3> at(const KnotList<Q>& u, const WeightedPoints<Q, 3>& net, const Q& t) {
+  const std::vector<Row> rows = homogeneous(net);
+  return dehomogenize<Q, 4>({curve_point<Q, Row>(u, rows, piece_at(u, t), t)}).points.front();
+}
+
+Mapping<Q> mapping_in(const json& report) {
+  const json& mapping = report.at("mapping");
+  std::vector<Q> knots, beta;
+  for (const std::string text : mapping.at("knots")) knots.push_back(Q::from_text(text));
+  for (const std::string text : mapping.at("coefficients")) beta.push_back(Q::from_text(text));
+  return mapping_of(KnotList<Q>(mapping.at("degree"), knots), beta);
+}
+
+TEST_F(Fit, RailsOfACylinderGiveTheCylinder) {
+  const json report = this->report(cylinder, {"--coefficients", "3"});
+  EXPECT_EQ(report.at("developable"), true);
+  EXPECT_GT(report.at("before").at("mean_deg"), 10);
+  EXPECT_EQ(mapping_value(mapping_in(report), ratio<Q>(1, 2)), ratio<Q>(1, 4));
+  const ProgramResult check = run_program({"check", file("out.json")});
+  EXPECT_EQ(check.exit, 0);
+  EXPECT_THAT(check.out, HasSubstr("cylinder"));
+}
+
+TEST_F(Fit, TheSurfaceIsExactlyOnItsRailsAndItsMapping) {
+  for (const char* method : {"warp", "paper", "discrete", "same"}) {
+    SCOPED_TRACE(method);
+    const json report = this->report(strip, {"--method", method, "--coefficients", "12"});
+    const RailsFile<Q> rails = read_rails<Q>(Document("rails.json", strip));
+    const RuledFile<Q> surface = written();
+    const Mapping<Q> sigma = mapping_in(report);
+    EXPECT_EQ(sigma.knots.domain_begin(), Q(2));
+    EXPECT_EQ(mapping_value(sigma, Q(2)), Q(0));
+    EXPECT_EQ(mapping_value(sigma, Q(5)), Q(1));
+    for (int i = 0; i <= 60; ++i) {
+      const Q t = Q(2) + ratio<Q>(i, 20);
+      EXPECT_EQ(at(surface.knots, surface.c, t), at(rails.c.knots, rails.c.net, t)) << i;
+      EXPECT_EQ(at(surface.knots, surface.d, t), at(rails.d.knots, rails.d.net, mapping_value(sigma, t))) << i;
+    }
+  }
+}
+
+TEST_F(Fit, OursIsBetterThanThePapersAndThanTheSameParameter) {
+  const auto mean = [&](const char* method) -> double {
+    return report(strip, {"--method", method}).at("after").at("mean_deg");
+  };
+  const double ours = mean("warp");
+  EXPECT_LT(ours, mean("paper"));
+  EXPECT_LT(ours, mean("same"));
+}
+
+TEST_F(Fit, TheCertificateEnclosesWhatIsSampled) {
+  for (const char* ends : {"fixed", "free"}) {
+    const json report = this->report(strip, {"--ends", ends});
+    const double high = report.at("max_warp_deg").at("hi");
+    EXPECT_LE(report.at("max_warp_deg").at("lo"), high);
+    EXPECT_LE(report.at("after").at("max_deg").get<double>(), high * (1 + 1e-9));
+    EXPECT_EQ(report.at("mapping").at("monotone"), "strict");
+  }
+}
+
+TEST_F(Fit, TellsWhyAndBy90Degrees) {
+  const json report = this->report(skew);
+  ASSERT_FALSE(report.at("findings").empty());
+  for (const json& finding : report.at("findings")) EXPECT_EQ(finding.at("obstacle"), "tangents");
+  EXPECT_THAT(run(skew).out, HasSubstr("no ruling from there is developable"));
+}
+
+TEST_F(Fit, TheLimitDecidesTheExitCode) {
+  EXPECT_EQ(run(strip, {"--max-warp", "90"}).exit, 0);
+  EXPECT_EQ(run(strip, {"--max-warp", "1e-3"}).exit, 1);
+  EXPECT_EQ(run(cylinder, {"--max-warp", "0", "--coefficients", "3"}).exit, 0);
+}
+
+TEST_F(Fit, ReportsTheStopAndTheGradientOfTheBaseline) {
+  const json report = this->report(strip, {"--method", "paper"});
+  EXPECT_LT(report.at("fit").at("gradient_error"), 1e-5);
+  EXPECT_FALSE(report.at("fit").at("stop").get<std::string>().empty());
+  EXPECT_GT(report.at("fit").at("evaluations"), 0);
+}
+
+TEST_F(Fit, SaysWhereRailsRunInOppositeDirections) {
+  const std::string crossed = R"({"torse": 1, "type": "rails",
+    "c": {"degree": 1, "points": [[0,0,0],[3,0,0]]}, "d": {"degree": 1, "points": [[3,1,0],[0,1,0]]}})";
+  EXPECT_THAT(run(crossed).out, HasSubstr("--reverse"));
+  EXPECT_EQ(run(crossed, {"--reverse"}).out.find("--reverse"), std::string::npos);
+}
+
+TEST_F(Fit, WritesWhatItsNameSays) {
+  const ProgramResult result =
+      run_program({"fit", file("rails.json", strip), "-o", file("a.obj"), "-o", file("b.glb"), "--coefficients", "10"});
+  EXPECT_EQ(result.exit, 0) << result.err;
+  EXPECT_THAT(slurp(scratch / "a.obj"), HasSubstr("\nv "));
+  EXPECT_EQ(slurp(scratch / "b.glb").substr(0, 4), "glTF");
+}
+
+TEST_F(Fit, RefusesAndWritesNothing) {
+  const auto refused = [&](const std::string& text, const std::vector<std::string>& options, const std::string& words) {
+    const ProgramResult result = run(text, options);
+    EXPECT_EQ(result.exit, 2);
+    EXPECT_THAT(result.err, HasSubstr(words));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out.json"));
+  };
+  refused(point, {}, "expected rails, found one point");
+  refused(strip, {"--method", "best"}, "--method: expected warp, paper, discrete, same, found \"best\"");
+  refused(strip, {"--degree", "4", "--coefficients", "4"}, "--coefficients: expected at least 5 for degree 4, found 4");
+  refused(R"({"torse": 1, "type": "ruled"})", {}, "\"rails\"");
+  refused(strip, {"-o", file("out.xyz")}, ".xyz");
+  refused(strip, {"-o", "-", "--json", "-"}, "standard output");
+}
+
+}  // namespace
+}  // namespace torse::testing
