@@ -85,6 +85,24 @@ TEST(Overlap, ATouchIsNotDecided) {
   EXPECT_EQ(find_overlap(outline(notch, 1e-3), {}).verdict, Truth::unknown);
 }
 
+/// Two uprights with a gap between them that is smaller than both errors together and larger than either.
+TEST(Overlap, BothEdgesMayBeOff) {
+  constexpr double gap = 1.5e-3;
+  const std::vector<PlatePoint> slot{{-4, 0},  {0, 0},   {0, 3}, {-1, 4}, {2, 4},
+                                     {gap, 3}, {gap, 0}, {4, 0}, {4, 5},  {-4, 5}};
+  EXPECT_EQ(find_overlap(outline(slot, 1e-3), {}).verdict, Truth::unknown);
+  EXPECT_EQ(find_overlap(outline(slot, 0.7e-3), {}).verdict, Truth::no);
+}
+
+/// A corner beyond the end of an edge, almost in line with it, whose own edge goes back above it.
+TEST(Overlap, ACornerBeyondAnEdgeIsApart) {
+  const std::vector<PlatePoint> hook{{0, 0}, {4, 0}, {4, -1}, {6, -1}, {6, 0.05}, {4.6, 0.05}, {2, 3}, {0, 3}};
+  EXPECT_EQ(find_overlap(outline(hook, 0.05), {}).verdict, Truth::no);
+  std::vector<PlatePoint> reversed;
+  for (const PlatePoint& x : hook) reversed.push_back({-x.x, x.y});
+  EXPECT_EQ(find_overlap(outline(reversed, 0.05), {}).verdict, Truth::no);
+}
+
 /// Small integers: crossings by signs of integers.
 RC_GTEST_PROP(Overlap, AgreesWithIntegers, ()) {
   const auto n = *rc::gen::inRange<std::size_t>(4, 9);

@@ -175,5 +175,17 @@ TEST(RealRoots, ConstantsAndZero) {
   }
 }
 
+TEST(RealRoots, NegativeOnesHaveTheirEndsInOrder) {
+  const std::vector<RealRoot> roots = real_roots({Rational(-2), Rational(0), Rational(1)}, 40);  // x^2 - 2
+  ASSERT_EQ(roots.size(), 2U);
+  for (const RealRoot& x : roots) {
+    EXPECT_LT(x.lower, x.upper);
+    EXPECT_EQ(x.lower.sign(), x.upper.sign());
+    EXPECT_EQ((x.lower * x.lower - Rational(2)).sign(), -(x.upper * x.upper - Rational(2)).sign());
+  }
+  EXPECT_LT(roots[0].upper.sign(), 0);
+  EXPECT_GT(roots[1].lower.sign(), 0);
+}
+
 }  // namespace
 }  // namespace torse

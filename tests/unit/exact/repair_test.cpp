@@ -444,6 +444,39 @@ TEST(RepairDistance, CountsByHand) {
   EXPECT_FALSE(distance_between(before, after).surfaces);
 }
 
+/// A length that is over a double by less than 106 bits can tell.
+TEST(RepairDistance, IsRoundedUpwardsHoweverLittle) {
+  const RuledRows before = polynomial({Point3(Q(0), Q(0), Q(0)), Point3(Q(1), Q(0), Q(0))},
+                                      {Point3(Q(0), Q(3), Q(0)), Point3(q(3, 2), Q(3), Q(4))});
+  RuledRows after = before;
+  after.d.points[0][0] += Q(1);
+  after.d.points[0][1] += repair::power_of_two(-80);
+  EXPECT_GT(distance_between(before, after).largest, 1);
+}
+
+/// No double has these lengths and quotients: the numbers are above, and the next ones below are not.
+TEST(RepairDistance, IsRoundedUpwards) {
+  const RuledRows before = polynomial({Point3(Q(0), Q(0), Q(0)), Point3(Q(1), Q(0), Q(0))},
+                                      {Point3(Q(0), Q(3), Q(0)), Point3(q(3, 2), Q(3), Q(4))});
+  const auto exact = [](double x) { return Q::from_double(x); };
+  const auto below = [](double x) { return Q::from_double(std::nextafter(x, 0)); };
+  for (const int n : {2, 3, 5, 6, 7, 10}) {
+    RuledRows after = before;
+    const Q unit = repair::power_of_two(-20);
+    after.c.points[1][0] += unit;
+    after.c.points[1][1] += Q(n) * unit;
+    const Q square = (Q(1) + Q(n * n)) * unit * unit;
+    const NetDistance distance = distance_between(before, after);
+    EXPECT_GE(exact(distance.largest) * exact(distance.largest), square);
+    EXPECT_LT(below(distance.largest) * below(distance.largest), square);
+    EXPECT_GE(Q(4) * exact(distance.root_mean_square) * exact(distance.root_mean_square), square);
+    after.c.weights[0] = Q(n) / Q(n + 1);
+    const double weights = distance_between(before, after).weights;
+    EXPECT_GE(exact(weights), Q(1) / Q(n));
+    EXPECT_LE(below(weights), Q(1) / Q(n));
+  }
+}
+
 // The bound of the distance of surfaces holds at samples, also with weights.
 TEST(RepairDistance, BoundsTheSurfaces) {
   const Sample sample = rational_sample(bezier_knots<Q>(2), 71);

@@ -1,0 +1,63 @@
+// Parts of the development: bounds that are attained, and joints at the end of a rail that stands still.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "torse/exact/unroll/arb_types.hpp"
+#include "torse/exact/unroll/development.hpp"
+#include "torse/exact/unroll/plate.hpp"
+
+namespace torse {
+namespace {
+
+using Q = Rational;
+using Rows = std::vector<Vec<Q, 4>>;
+
+/// The two legs of an isosceles triangle, 5 and 5 over the base 6, are 4 away from it: the bound is attained.
+TEST(Sagitta, IsTheHeightOfAnIsoscelesTriangle) {
+  arb::Complex chord;
+  acb_set_si(chord.get(), 6);
+  const double found = sagitta(arb::real(Q(10), 64), chord);
+  EXPECT_GE(found, 4);
+  EXPECT_LE(found, 4 * (1 + 1e-15));
+}
+
+Rows rows(const std::vector<std::array<double, 3>>& points) {
+  Rows result;
+  for (const auto& x : points) {
+    result.emplace_back(Q(1), Q::from_double(x[0]), Q::from_double(x[1]), Q::from_double(x[2]));
+  }
+  return result;
+}
+
+/// The rails are straight, so all that is left between the drawing and the plate is that vertices are rounded.
+TEST(PlateDeviation, OfStraightRailsIsThatOfTheirVertices) {
+  const KnotList<Q> u = bezier_knots<Q>(1);
+  const Rows p = rows({{0, 0, 0}, {1, 2, 0}}), q = rows({{0, 3, 0}, {2, 4, 0}});
+  const auto strips = piece_strips(u, p, q);
+  const Plate plate = unroll_plate(strips, {1e-2, ruling_marks(u, strips, 3), 0, false});
+  EXPECT_GT(plate.vertex_error, 0);
+  for (const PlateRail* rail : {&plate.c, &plate.d}) {
+    for (const double x : rail->deviation) EXPECT_GE(x, plate.vertex_error);
+  }
+}
+
+/// Two planes, 60 degrees apart. Both rails come to rest at the joint, C = (2 - 2(1-t)^2, ...), so that they have no
+/// speed there that could tell of the sides.
+TEST(PlateBends, AtAJointWhereTheRailsStandStill) {
+  const double root = std::sqrt(3.0);
+  const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2)});
+  const Rows p = rows({{0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {2.5, 0, root / 2}, {3, 0, root}});
+  const Rows q = rows({{0, 1, 0}, {2, 1, 0}, {2, 1, 0}, {2.5, 1, root / 2}, {3, 1, root}});
+  const auto strips = piece_strips(u, p, q);
+  const Plate plate = unroll_plate(strips, {1e-4, ruling_marks(u, strips, 2), 0, false});
+  EXPECT_NEAR(plate.width, 4, 1e-6);
+  const auto joint = std::ranges::find(plate.rulings, Q(1), &PlateRuling::t);
+  ASSERT_NE(joint, plate.rulings.end());
+  EXPECT_NEAR(joint->bend, 60, 1e-9);
+}
+
+}  // namespace
+}  // namespace torse

@@ -1,0 +1,114 @@
+// The parts of the certified warp angle one by one: angles against Boost's own
+// arithmetic, common zeros, the search where its budget
+// ends, limits nearer to the angle than doubles can tell.
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <string>
+
+#include "torse/exact/warp/angle.hpp"
+#include "torse/exact/warp/common_factor.hpp"
+#include "torse/exact/warp/max_warp.hpp"
+#include "torse/exact/warp/search.hpp"
+
+namespace torse {
+namespace {
+
+using Q = Rational;
+using Point3 = Vec<Q, 3>;
+using Wide = boost::multiprecision::cpp_bin_float_50;
+
+Wide half_turn() { return 4 * atan(Wide(1)); }
+
+/// Between the neighbours of the true angle.
+TEST(Angle, DegreesAreRoundedOutwards) {
+  for (const double sine2 : {1e-20, 0.1, 0.2, 1.0 / 3, 0.7, 0.999}) {
+    const Wide degrees = asin(sqrt(Wide(sine2))) * 180 / half_turn();
+    const Interval found = degrees_of(sine2, sine2, 0);
+    EXPECT_LT(Wide(found.lower()), degrees) << sine2;
+    EXPECT_GT(Wide(found.upper()), degrees) << sine2;
+    EXPECT_GE(std::nextafter(found.lower(), 90), found.upper());
+  }
+}
+
+TEST(Angle, SquaresOfSinesAreRoundedOutwards) {
+  for (const bool radians : {false, true}) {
+    for (const int tenths : {1, 3, 5, 9, 11}) {
+      const Angle angle{Q(tenths) / Q(10), radians};
+      const Wide x = Wide(tenths) / 10 * (radians ? Wide(1) : half_turn() / 180);
+      const Interval found = sine_squared_at_most_90(angle, 0);
+      EXPECT_LT(Wide(found.lower()), sin(x) * sin(x));
+      EXPECT_GT(Wide(found.upper()), sin(x) * sin(x));
+      EXPECT_GE(std::nextafter(found.lower(), 2), found.upper());
+    }
+  }
+}
+
+/// (s^2 t, s t^2, s t (s + t)): divided by s t it vanishes nowhere.
+TEST(CommonZeros, AreFoundAtBothEnds) {
+  const auto form = [](int a, int b, int c, int d) { return BinaryForm<Q>(std::vector<Q>{Q(a), Q(b), Q(c), Q(d)}); };
+  const VectorWithZeros found = without_common_zeros({form(0, 1, 0, 0), form(0, 0, 1, 0), form(0, 1, 1, 0)});
+  ASSERT_EQ(found.zeros.size(), 2U);
+  EXPECT_EQ(found.zeros[0].lower, Q(0));
+  EXPECT_EQ(found.zeros[0].upper, Q(0));
+  EXPECT_EQ(found.zeros[1].lower, Q(1));
+  EXPECT_EQ(found.zeros[1].upper, Q(1));
+  EXPECT_EQ(found.direction[0].degree(), 1);
+}
+
+/// Two pieces, of which the budget covers a part of the first.
+TEST(Search, TheBudgetsEndCountsWhatWasNotLookedAt) {
+  using Quotient = BernsteinQuotient<Q>;
+  const auto quotient = [](std::vector<Q> numerator) {
+    return Quotient(Bernstein<Q>(std::move(numerator)), Bernstein<Q>(std::vector<Q>{Q(1), Q(1), Q(1)}));
+  };
+  const Q tenth = Q(1) / Q(10);
+  std::vector<WarpPiece<Quotient>> pieces{{1, quotient({Q(0), Q(4) * tenth, Q(0)})},
+                                          {2, quotient({Q(0), Q(9) * tenth, Q(0)})}};  // up to 0.2 and to 0.45
+  WarpRecord record;
+  EXPECT_TRUE(search(pieces, WarpGoal{}, 1, record).empty());
+  EXPECT_FALSE(record.complete);
+  EXPECT_GE(record.upper, 0.45);
+}
+
+/// (t, 0, 0) and (t, 1, t/2) over [0, 1]: tan = 1/2 at t = 0. sin^2 = 1/5 and those of the limits are between the same
+/// two doubles.
+TEST(WarpLimit, NearerThanDoublesCanTell) {
+  const Q zero(0), one(1), half = one / Q(2);
+  const std::vector<Point3> c{Point3(zero, zero, zero), Point3(one, zero, zero)};
+  const std::vector<Point3> d{Point3(zero, one, zero), Point3(one, one, half)};
+  const auto at_most = [&](const char* degrees) {
+    return warp_at_most<Q, 3>(bezier_knots<Q>(1), c, d, Angle{Q::from_text(degrees)});
+  };
+  const std::string angle = "26565051177077989351572193720453294671204214299645";  // arctan 1/2
+  const std::string unit = "/1" + std::string(48, '0');
+  std::string below = angle, above = angle;
+  below[25] = static_cast<char>(below[25] - 1);
+  above[25] = static_cast<char>(above[25] + 1);
+  EXPECT_NE(at_most((below + unit).c_str()), Truth::yes);
+  EXPECT_NE(at_most((above + unit).c_str()), Truth::no);
+}
+
+/// Rulings of length zero in the middle of the pieces 1 and 3 (2 is empty), which are excluded at 1/2 and at 3/2.
+TEST(WarpExclusions, BelongToTheirPieces) {
+  const Q zero(0), half = Q(1) / Q(2);
+  const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2)});
+  std::vector<Point3> c, d;
+  const std::vector<std::array<Q, 2>> offsets{
+      {-half, zero}, {zero, -half * half}, {half, half}, {zero, -half * half}, {-half, zero}};
+  for (int i = 0; i < 5; ++i) {
+    const auto& [y, z] = offsets[static_cast<std::size_t>(i)];
+    c.emplace_back(Q(i) * half, zero, zero);
+    d.emplace_back(Q(i) * half, y, z);
+  }
+  const WarpEnclosure warp = max_warp<Q, 3>(u, c, d, {});
+  ASSERT_EQ(warp.exclusions.size(), 4U);  // both normals
+  for (const WarpExclusion& at : warp.exclusions) {
+    EXPECT_EQ(at.lower, Q(at.piece) * half);
+    EXPECT_EQ(at.upper, Q(at.piece) * half);
+  }
+}
+
+}  // namespace
+}  // namespace torse
