@@ -75,6 +75,16 @@ TEST_F(HostileCad, ListsThatDoNotFit) {
       2);
 }
 
+/// Neither for the rows that become rails nor from row to row.
+TEST_F(HostileCad, KnotsThatDecrease) {
+  for (const char* knots : {"(2,2),(2,1,2),(0.,1.),(0.,2.,1.)", "(2,2),(2,1,2),(0.,1.),(1.,0.,2.)"}) {
+    StepText step;
+    const std::string surface =
+        step.spline("p", 1, 1, {{"0.,0.,0.", "0.,1.,0.", "0.,2.,0."}, {"1.,0.,0.", "1.,1.,0.", "1.,2.,0."}}, knots);
+    refused("a.step", step.file({surface}, false), "knots");
+  }
+}
+
 TEST_F(HostileCad, ReferencesThatLeadNowhereOrInCircles) {
   StepText step;
   const std::string frame = step.frame("0.,0.,0.", "0.,0.,1.", "1.,0.,0.");

@@ -179,5 +179,91 @@ TEST_F(Iges, AMatrixMovesTheSurfaceExactly) {
   EXPECT_EQ(report[0]["vertex"], json({"10", "-1", "1/2"}));  // (x, y, z) goes to (x + 10, -z, y + 1/2)
 }
 
+TEST_F(Iges, AMatrixMovesPointsWhateverTheirWeights) {
+  IgesText iges;
+  const int matrix = iges.add(124, "1.,0.,0.,10., 0.,1.,0.,20., 0.,0.,1.,30.");
+  const int c = iges.bezier(2, "1.,3.,0.5", "0.,0.,0.,3.,3.,0.,6.,0.,0.");
+  const int up = iges.bezier(2, "1.,0.25,2.", "0.,0.,1.,3.,3.,1.,6.,0.,1.");
+  iges.ruled(c, up, 0, 0, {.form = 1, .matrix = matrix});
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(doubles(read[0].surface->c.points[1]), (std::vector<double>{13, 23, 30}));
+  EXPECT_EQ(doubles(read[0].surface->d.points[2]), (std::vector<double>{16, 20, 31}));
+  EXPECT_EQ(doubles(read[0].surface->d.weights), (std::vector<double>{1, 0.25, 2}));
+}
+
+TEST_F(Iges, AMatrixMovesACurveAlone) {
+  IgesText iges;
+  const int matrix = iges.add(124, "1.,0.,0.,0., 0.,1.,0.,3., 0.,0.,1.,0.5");
+  const int c = iges.line("0.,0.,0.", "1.,0.,0.");
+  const int moved = iges.add(110, "0.,0.,0.,1.,0.,0.", {.matrix = matrix, .dependent = true});
+  iges.ruled(c, moved, 0, 1, {.form = 1});
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(doubles(read[0].surface->c.points[1]), (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(doubles(read[0].surface->d.points[1]), (std::vector<double>{1, 3, 0.5}));
+}
+
+TEST_F(Iges, ACurveEndsWhereItsRangeEnds) {
+  // (8t, 8t^2, 0) on [0, 1], of which [1/4, 3/4] is used: from (2, 1/2, 0) to (6, 9/2, 0).
+  IgesText iges;
+  const std::string points = "0.,0.,0.,4.,0.,0.,8.,8.,0.";
+  const int part =
+      iges.add(126, "2,2,0,0,0,0,0.,0.,0.,1.,1.,1.,1.,1.,1.," + points + ",0.25,0.75,0.,0.,0.", {.dependent = true});
+  iges.ruled(part, iges.bezier(2, "1.,1.,1.", "0.,0.,1.,4.,0.,1.,8.,8.,1."), 0, 0, {.form = 1});
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  ASSERT_TRUE(read[0].surface);
+  EXPECT_EQ(doubles(read[0].surface->c.points.front()), (std::vector<double>{2, 0.5, 0}));
+  EXPECT_EQ(doubles(read[0].surface->c.points.back()), (std::vector<double>{6, 4.5, 0}));
+  EXPECT_EQ(doubles(read[0].surface->d.points.back()), (std::vector<double>{8, 8, 1}));
+}
+
+TEST_F(Iges, TheMatrixOfASurfaceComesBeforeThatOfItsFace) {
+  // (x, y, z) goes to (x + 10, y, z), and that to (-y, x, z).
+  IgesText iges;
+  const int shift = iges.add(124, "1.,0.,0.,10., 0.,1.,0.,0., 0.,0.,1.,0.");
+  const int turn = iges.add(124, "0.,-1.,0.,0., 1.,0.,0.,0., 0.,0.,1.,0.");
+  const int ruled = iges.add(118,
+                             std::to_string(iges.line("0.,0.,0.", "1.,0.,0.")) + "," +
+                                 std::to_string(iges.line("0.,0.,1.", "1.,0.,1.")) + ",0,1",
+                             {.form = 1, .matrix = shift, .dependent = true});
+  iges.add(144, std::to_string(ruled) + ",0,0,0", {.matrix = turn});
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  ASSERT_TRUE(read[0].surface);
+  EXPECT_EQ(doubles(read[0].surface->c.points[0]), (std::vector<double>{0, 10, 0}));
+  EXPECT_EQ(doubles(read[0].surface->d.points[1]), (std::vector<double>{0, 11, 1}));
+}
+
+TEST_F(Iges, ASurfaceEndsWhereItsRangesEnd) {
+  // z = x y on [0, 4] x [0, 2] by x = 4u, y = v; used for u in [1/4, 1/2] and v in [0, 1].
+  IgesText iges;
+  iges.add(128,
+           "1,1,1,1,0,0,1,0,0, 0.,0.,1.,1., 0.,0.,2.,2., 1.,1.,1.,1., 0.,0.,0., 4.,0.,0., 0.,2.,0., 4.,2.,8.,"
+           "0.25,0.5,0.,1.");
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_TRUE(read[0].cad->trimmed);
+  ASSERT_TRUE(read[0].surface);
+  EXPECT_EQ(doubles(read[0].surface->c.points[0]), (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(doubles(read[0].surface->d.points[1]), (std::vector<double>{2, 1, 2}));
+}
+
+TEST_F(Iges, RulingsByArcLengthNeedOneRatioOfSpeedsForAllPieces) {
+  // Polygons of two legs each, 1 and 1 long, 1 and 3 long: at equal parameters the relative lengths differ.
+  IgesText iges;
+  const auto polygon = [&](const std::string& points) {
+    return iges.add(126, "2,1,0,0,1,0,0.,0.,1.,2.,2.,1.,1.,1.," + points + ",0.,2.,0.,0.,0.", {.dependent = true});
+  };
+  const int even = polygon("0.,0.,0.,1.,0.,0.,2.,0.,0.");
+  const int uneven = polygon("0.,1.,0.,1.,1.,0.,4.,1.,0.");
+  iges.ruled(even, uneven, 0, 1, {.form = 0});
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_FALSE(read[0].surface);
+  EXPECT_THAT(read[0].remark, HasSubstr("arc length"));
+}
+
 }  // namespace
 }  // namespace torse::testing

@@ -151,20 +151,21 @@ TEST_F(Step, ElementarySurfacesAreExactlyWhatTheyAre) {
 }
 
 TEST_F(Step, AFaceThatCoversAPartOfItsSurfaceIsThatPart) {
-  // z = x y / 4 on [0, 4] x [0, 4], whose lines x = 1, x = 3, y = 0, y = 2 bound the face.
+  // z = x y / 4 on [0, 4] x [0, 4], whose lines x = 1, x = 3.5, y = 0.5, y = 3 bound the face.
   StepText step;
   const std::string surface = step.spline("", 1, 1, {{"0.,0.,0.", "0.,4.,0."}, {"4.,0.,0.", "4.,4.,4."}}, unit_knots);
-  const auto part =
-      faces(step.file({step.face("part", surface, {"1.,0.,0.", "3.,0.,0.", "3.,2.,1.5", "1.,2.,0.5"})}, true));
+  const auto part = faces(
+      step.file({step.face("part", surface, {"1.,0.5,0.125", "3.5,0.5,0.4375", "3.5,3.,2.625", "1.,3.,0.75"})}, true));
   ASSERT_EQ(part.size(), 1U);
   EXPECT_EQ(part[0].name, "part");
   EXPECT_TRUE(part[0].cad->trimmed);
   ASSERT_TRUE(part[0].surface);
   const RuledFile<Rational>& ruled = *part[0].surface;
   EXPECT_NEAR(ruled.c.points[0][0].to_double(), 1, 1e-6);
-  EXPECT_NEAR(ruled.c.points[1][0].to_double(), 3, 1e-6);
-  EXPECT_NEAR(ruled.d.points[0][1].to_double(), 2, 1e-6);
-  EXPECT_NEAR(ruled.d.points[1][2].to_double(), 1.5, 1e-6);
+  EXPECT_NEAR(ruled.c.points[1][0].to_double(), 3.5, 1e-6);
+  EXPECT_NEAR(ruled.c.points[0][1].to_double(), 0.5, 1e-6);
+  EXPECT_NEAR(ruled.d.points[0][1].to_double(), 3, 1e-6);
+  EXPECT_NEAR(ruled.d.points[1][2].to_double(), 2.625, 1e-6);
   // On the surface exactly, whatever the parameters are.
   for (const Vec<Rational, 3>& x : ruled.d.points) EXPECT_EQ(x[2], x[0] * x[1] / Rational(4));
 }
@@ -224,6 +225,25 @@ TEST_F(Step, ElementaryFacesAreInTheFilesUnitToo) {
     EXPECT_NEAR(ruled.c.points[1][0].to_double(), 1.5, 1e-9);
     EXPECT_NEAR(ruled.d.points[1][1].to_double(), 4, 1e-9);
   }
+}
+
+/// A cone of half a right angle and radius 1 at z = 0, its angle in degrees.
+TEST_F(Step, AnglesAreInTheFilesUnit) {
+  StepText step;
+  const std::string cone =
+      step.add("CONICAL_SURFACE('funnel'," + step.frame("0.,0.,0.", "0.,0.,1.", "1.,0.,0.") + ",1.,45.)");
+  std::string text = step.file({cone}, false);
+  const std::string radian = "=(NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.));";
+  ASSERT_NE(text.find(radian), std::string::npos);
+  text.replace(text.find(radian), radian.size(),
+               "=(CONVERSION_BASED_UNIT('DEGREE',#9001) NAMED_UNIT(#9003) PLANE_ANGLE_UNIT());\n"
+               "#9001=PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.017453292519943295),#9002);\n"
+               "#9002" +
+                   radian + "\n#9003=DIMENSIONAL_EXPONENTS(0.,0.,0.,0.,0.,0.,0.);");
+  const json report = check(text);
+  ASSERT_EQ(report.size(), 1U);
+  ASSERT_EQ(report[0]["class"], "cone");
+  EXPECT_NEAR(q(report[0]["vertex"][2].get<std::string>().c_str()).to_double(), -1, 1e-12);
 }
 
 TEST_F(Step, FacesAreChosenByNameAndNumber) {
