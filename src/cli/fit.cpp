@@ -15,6 +15,7 @@
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
+#include "torse/io/number.hpp"
 #include "torse/io/text.hpp"
 #include "torse/spline/compatible.hpp"
 
@@ -34,6 +35,7 @@ struct FitCommand {
   bool even_knots = false;
   bool regular = false;
   bool reverse = false;
+  std::string extend = "0.1";
   std::string max_warp;
   std::string json;
 };
@@ -50,12 +52,23 @@ T choice(const char* option, const std::string& word, const std::array<std::pair
                                suggestion(word, words)));
 }
 
+Rational read_share(const std::string& text) {
+  try {
+    Rational share = parse_number<Rational>(text);
+    if (share.sign() > 0 && share <= Rational(1)) return share;
+    throw UsageError("--extend: expected a share above 0 and at most 1, found " + text);
+  } catch (const BadNumber& bad) {
+    throw UsageError(std::string("--extend: ") + bad.what());
+  }
+}
+
 FitWishes wishes_of(const FitCommand& command) {
   constexpr std::array methods{std::pair{"warp", FitMethod::warp}, std::pair{"paper", FitMethod::paper},
                                std::pair{"discrete", FitMethod::discrete}, std::pair{"same", FitMethod::same}};
   constexpr std::array measures{std::pair{"mean", quasi::Measure::mean}, std::pair{"rms", quasi::Measure::rms},
                                 std::pair{"max", quasi::Measure::max}};
-  constexpr std::array ends{std::pair{"fixed", quasi::Ends::fixed}, std::pair{"free", quasi::Ends::free}};
+  constexpr std::array ends{std::pair{"fixed", quasi::Ends::fixed}, std::pair{"free", quasi::Ends::free},
+                            std::pair{"extended", quasi::Ends::free}};
   FitWishes wishes;
   wishes.method = choice("--method", command.method, methods);
   wishes.options = {.degree = command.degree,
@@ -69,6 +82,7 @@ FitWishes wishes_of(const FitCommand& command) {
                                  command.degree, command.coefficients));
   }
   if (!command.max_warp.empty()) wishes.max_warp = read_angle(command.max_warp);
+  if (command.ends == "extended") wishes.extension = read_share(command.extend);
   return wishes;
 }
 
@@ -140,6 +154,7 @@ std::vector<std::string> replay_words(const FitCommand& command) {
                                  std::to_string(command.degree),
                                  "--coefficients",
                                  std::to_string(command.coefficients)};
+  if (command.ends == "extended") words.insert(words.end(), {"--extend", command.extend});
   if (command.even_knots) words.emplace_back("--even-knots");
   if (command.regular) words.emplace_back("--regular");
   if (command.reverse) words.emplace_back("--reverse");
@@ -208,8 +223,12 @@ std::function<int()> define_fit(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--measure", command->measure, "of the warp angle: mean, rms or max")->capture_default_str();
   app.add_option("--ends", command->ends,
-                 "fixed: the rails' ends belong together; free: an end of the second rail may stay unused")
+                 "fixed: the rails' ends belong together; free: an end of the second rail may stay unused; extended: "
+                 "rails go on beyond their ends, the strip is cut off at the old ones")
       ->capture_default_str();
+  app.add_option("--extend", command->extend, "how far extended rails go on, as a share of their parameters")
+      ->capture_default_str()
+      ->type_name("SHARE");
   app.add_option("--degree", command->degree, "of the mapping")->capture_default_str()->check(CLI::Range(1, 10));
   app.add_option("--coefficients", command->coefficients, "of the mapping")
       ->capture_default_str()

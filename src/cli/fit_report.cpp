@@ -52,7 +52,9 @@ Json fit_record(const quasi::Fit& fit) {
   }
   Json curve = Json::array();
   for (const quasi::FitStep& step : fit.curve) curve.push_back({step.seconds, step.value});
-  return {{"stages", stages}, {"curve", curve}};
+  Json json{{"stages", stages}, {"curve", curve}};
+  if (fit.by_sides) json["regular_deg"] = *fit.by_sides;
+  return json;
 }
 
 Json paper_record(const quasi::PaperFit& paper) {
@@ -67,10 +69,11 @@ Json paper_record(const quasi::PaperFit& paper) {
           {"curve", curve}};
 }
 
-/// A parameter of the first rail from one in [0, 1].
+/// A parameter of the surface from one of the first rail as the fit had it.
 double own_parameter(const FittedStrip& strip, double t) {
   const KnotList<Rational>& u = strip.surface.knots;
-  return (u.domain_begin() + (u.domain_end() - u.domain_begin()) * Rational::from_double(t)).to_double();
+  const Rational share = Rational::from_double((t - strip.range.from) / (strip.range.to - strip.range.from));
+  return (u.domain_begin() + (u.domain_end() - u.domain_begin()) * share).to_double();
 }
 
 Json findings_json(const FittedStrip& strip) {
@@ -144,6 +147,10 @@ nlohmann::ordered_json fit_json(const FitTitle& title, const FittedStrip& strip)
   const KnotList<Rational>& u = strip.surface.knots;
   json["surface"] = {{"degree", u.degree()}, {"pieces", u.proper_pieces().size()}, {"points", u.last() + 1}};
   json["seconds"] = strip.method.seconds;
+  if (!strip.trims.empty()) {
+    const auto line = [](const TrimLine& trim) { return Json{{"c", trim.c.text()}, {"d", trim.d.text()}}; };
+    json["trim"] = {{"begin", line(strip.trims[0])}, {"end", line(strip.trims[1])}};
+  }
   json["threshold_deg"] = strip.threshold;
   json["findings"] = findings_json(strip);
   if (strip.method.fit) json["fit"] = fit_record(*strip.method.fit);
@@ -166,9 +173,15 @@ std::string fit_text(const FitTitle& title, const FittedStrip& strip, const Term
                       strip.sigma.control.size(), order);
   text += fmt::format("  surface: degree {}, {} pieces, {} points on each rail, exactly on both rails\n", u.degree(),
                       u.proper_pieces().size(), u.last() + 1);
+  for (const TrimLine& trim : strip.trims) {
+    text += fmt::format("  trim along the line from c({:.6g}) to d at the ruling of u = {:.6g}\n", trim.c.to_double(),
+                        trim.d.to_double());
+  }
   if (strip.after.folded > 0) {
-    text += fmt::format("  {}: along {:.2g} % of the rulings the normal turns by more than 90 degrees\n",
+    text += fmt::format("  {}: along {:.2g} % of the rulings the normal turns by more than 90 degrees",
                         terminal.painted(Paint::doubtful, "folded"), 100 * strip.after.folded);
+    const bool other = strip.method.fit && strip.method.fit->by_sides;
+    text += other ? fmt::format("; --regular: {} degrees\n", degrees_text(*strip.method.fit->by_sides)) : "\n";
   }
   text += findings_text(strip);
   if (strip.method.paper)

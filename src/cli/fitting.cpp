@@ -9,6 +9,7 @@
 #include "torse/cli/judge.hpp"
 #include "torse/exact/quasi/snap.hpp"
 #include "torse/io/limits.hpp"
+#include "torse/quasi/extension.hpp"
 #include "torse/quasi/surface.hpp"
 
 namespace torse::cli {
@@ -122,14 +123,50 @@ MethodResult run_warp(const quasi::Rails& rails, const quasi::FitOptions& option
   return {.sigma = fit.mapping, .fit = std::move(fit)};
 }
 
-MethodResult run_method(const quasi::Rails& rails, const FitWishes& wishes) {
+MethodResult run_method(const quasi::Rails& rails, const quasi::FitOptions& options, FitMethod method) {
   const auto start = std::chrono::steady_clock::now();
-  MethodResult result = wishes.method == FitMethod::warp       ? run_warp(rails, wishes.options)
-                        : wishes.method == FitMethod::paper    ? run_paper(rails, wishes.options)
-                        : wishes.method == FitMethod::discrete ? run_discrete(rails, wishes.options)
-                                                               : MethodResult{same_parameter()};
+  MethodResult result = method == FitMethod::warp       ? run_warp(rails, options)
+                        : method == FitMethod::paper    ? run_paper(rails, options)
+                        : method == FitMethod::discrete ? run_discrete(rails, options)
+                                                        : MethodResult{same_parameter()};
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
+}
+
+SnappedMapping exact_mapping(const MethodResult& method, const RailsFile<Rational>& rails) {
+  return snapped(between_domains(method.sigma, rails.c.knots, rails.d.knots), rails.c.knots, rails.d.knots);
+}
+
+CurveFile<Rational> extended_rail(const CurveFile<Rational>& rail, const Rational& share) {
+  const Curve longer = extended(curve_of(rail), share);
+  return {longer.knots, dehomogenize<Rational, 4>(longer.control)};
+}
+
+/// Throws InvalidInput naming "weights[i]" where a weight would vanish.
+RailsFile<Rational> extended_rails(const RailsFile<Rational>& rails, const Rational& share) {
+  return {extended_rail(rails.c, share), extended_rail(rails.d, share)};
+}
+
+/// Whether the mapping covers the old domain of d.
+bool reaches_ends(const Mapping<Rational>& sigma, const KnotList<Rational>& d) {
+  return mapping_value(sigma, sigma.knots.domain_begin()) <= d.domain_begin() &&
+         d.domain_end() <= mapping_value(sigma, sigma.knots.domain_end());
+}
+
+/// Where sigma, which passes the knots of the longer d at knots of its own, has the value of an old end of d.
+Rational parameter_of(const SnappedMapping& exact, const Rational& value) {
+  const KnotList<Rational>& u = exact.sigma.knots;
+  std::vector<Rational> candidates = exact.parameters;
+  candidates.insert(candidates.end(), {u.domain_begin(), u.domain_end()});
+  for (const Rational& t : candidates) {
+    if (mapping_value(exact.sigma, t) == value) return t;
+  }
+  throw Undecided("the mapping does not pass the end of the second rail");
+}
+
+std::vector<TrimLine> trim_lines(const SnappedMapping& exact, const RailsFile<Rational>& rails) {
+  return {{rails.c.knots.domain_begin(), parameter_of(exact, rails.d.knots.domain_begin())},
+          {rails.c.knots.domain_end(), parameter_of(exact, rails.d.knots.domain_end())}};
 }
 
 RuledFile<Rational> ruled_file(const RuledSpline<Rational, Row>& surface) {
@@ -164,25 +201,43 @@ quasi::Rails unit_rails(const RailsFile<Rational>& rails) {
 
 FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes) {
   require_size(rails, wishes);
-  const quasi::Rails unit = unit_rails(rails);
-  MethodResult method = run_method(unit, wishes);
-  const SnappedMapping exact =
-      snapped(between_domains(method.sigma, rails.c.knots, rails.d.knots), rails.c.knots, rails.d.knots);
+  const RailsFile<Rational> used = wishes.extension ? extended_rails(rails, *wishes.extension) : rails;
+  const quasi::Rails unit = unit_rails(used);
+  MethodResult method = run_method(unit, wishes.options, wishes.method);
+  SnappedMapping exact = exact_mapping(method, used);
+  if (wishes.extension && !reaches_ends(exact.sigma, rails.d.knots)) {
+    quasi::FitOptions fixed = wishes.options;
+    fixed.ends = quasi::Ends::fixed;
+    method = run_method(unit, fixed, wishes.method);
+    exact = exact_mapping(method, used);
+  }
+  std::vector<TrimLine> trims;
+  if (wishes.extension) {
+    trims = trim_lines(exact, rails);
+    exact.sigma = restrict_spline(exact.sigma, std::min(trims[0].c, trims[0].d), std::max(trims[1].c, trims[1].d));
+  }
+  const KnotList<Rational>& u = exact.sigma.knots;
+  const Rational begin = used.c.knots.domain_begin();
+  const Rational length = used.c.knots.domain_end() - begin;
+  const quasi::Range range{Rational((u.domain_begin() - begin) / length).to_double(),
+                           Rational((u.domain_end() - begin) / length).to_double()};
+  const double threshold = wishes.max_warp ? degrees_of(*wishes.max_warp) : default_threshold;
   FittedStrip strip{
       .method = std::move(method),
       .sigma = exact.sigma,
-      .change = exact.change / (rails.d.knots.domain_end() - rails.d.knots.domain_begin()),
-      .monotony = {},
-      .surface = ruled_file(quasi_surface(curve_of(rails.c), curve_of(rails.d), exact.sigma)),
-      .before = quasi::warp_statistics(unit, same_parameter(), measured_rulings),
+      .change = exact.change / (used.d.knots.domain_end() - used.d.knots.domain_begin()),
+      .monotony = decide_monotony(exact.sigma),
+      .surface = ruled_file(quasi_surface(curve_of(used.c), curve_of(used.d), exact.sigma)),
+      .before = quasi::warp_statistics(unit_rails(rails), same_parameter(), measured_rulings),
       .after = {},
       .certified = {},
-      .threshold = wishes.max_warp ? degrees_of(*wishes.max_warp) : default_threshold,
+      .trims = std::move(trims),
+      .range = range,
+      .threshold = threshold,
       .findings = {},
   };
-  strip.after = quasi::warp_statistics(unit, strip.method.sigma, measured_rulings);
-  strip.findings = quasi::diagnose(unit, strip.method.sigma, {.threshold = strip.threshold});
-  strip.monotony = decide_monotony(strip.sigma);
+  strip.after = quasi::warp_statistics(unit, strip.method.sigma, measured_rulings, range);
+  strip.findings = quasi::diagnose(unit, strip.method.sigma, {.range = range, .threshold = threshold});
   if (!judge(strip.surface).developable()) strip.certified = judge_warp(strip.surface, wishes.max_warp);
   return strip;
 }

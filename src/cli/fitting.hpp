@@ -3,6 +3,7 @@
 //   FitWishes           what the command line asks for
 //   UnitRails           the rails in doubles, at the origin and of size 1
 //   MethodResult        a mapping and how it was found
+//   TrimLine            where extended rails reach their old ends
 //   FittedStrip         the mapping and the exact surface, with all that is known of them
 //   fit_strip           from the rails of a file
 #pragma once
@@ -27,6 +28,8 @@ struct FitWishes {
   FitMethod method = FitMethod::warp;
   quasi::FitOptions options;
   std::optional<Angle> max_warp;
+  /// Lets both rails go on beyond their ends by this share of their parameters; the ends are free then.
+  std::optional<Rational> extension;
 };
 
 /// The rails of a file, moved and scaled by one exact map into the unit cube around the origin, then rounded.
@@ -40,6 +43,13 @@ struct MethodResult {
   double seconds = 0;
 };
 
+/// Where the strip between extended rails reaches the old ends: the parameters of the rulings from the end of c and to
+/// that of d. The straight lines between the old ends cut the strip off there.
+struct TrimLine {
+  Rational c;
+  Rational d;
+};
+
 /// A strip between two rails.
 struct FittedStrip {
   MethodResult method;
@@ -50,6 +60,8 @@ struct FittedStrip {
   quasi::WarpStatistics before;          ///< of T = t, sampled
   quasi::WarpStatistics after;           ///< of the mapping, at other rulings than those of the fit
   std::optional<WarpVerdict> certified;  ///< none for a surface that is exactly developable
+  std::vector<TrimLine> trims;           ///< of extended rails, at the begin and at the end
+  quasi::Range range;                    ///< of the surface within the first rail as the fit had it
   double threshold = 0;                  ///< degrees: the warp beyond which `findings` tell why
   std::vector<quasi::Finding> findings;  ///< parameters over [0, 1]
 };

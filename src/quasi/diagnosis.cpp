@@ -6,8 +6,6 @@
 #include <numbers>
 #include <optional>
 
-#include "torse/quasi/sampling.hpp"
-
 namespace torse::quasi {
 namespace {
 
@@ -90,7 +88,7 @@ Obstacle obstacle_at(const Place& place, double after, double before, double& ex
 }
 
 std::vector<Place> places_of(const Rails& rails, const Mapping<double>& sigma, const DiagnosisOptions& options) {
-  const Sampling samples(rails.c, sigma.knots, midpoints(options.rulings));
+  const Sampling samples(rails.c, sigma.knots, midpoints(options.rulings, options.range));
   const std::vector<double> beta = coefficients(sigma);
   const TargetRow row(rails.d, options);
   std::vector<Place> places;
@@ -139,7 +137,7 @@ std::string_view name_of(Obstacle obstacle) {
 std::vector<Finding> diagnose(const Rails& rails, const Mapping<double>& sigma, const DiagnosisOptions& options) {
   std::vector<Place> places = places_of(rails, sigma, options);
   find_obstacles(places, options.threshold);
-  const double half = 0.5 / static_cast<double>(options.rulings);
+  const double half = 0.5 * (options.range.to - options.range.from) / static_cast<double>(options.rulings);
   std::vector<Finding> findings;
   std::optional<std::size_t> last;  // the place before belongs to the last finding
   std::vector<std::size_t> counts;

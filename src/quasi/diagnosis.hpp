@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "torse/quasi/mapping.hpp"
-#include "torse/quasi/ruling_angle.hpp"
+#include "torse/quasi/sampling.hpp"
 
 namespace torse::quasi {
 
@@ -38,6 +38,7 @@ struct Finding {
 
 /// What a diagnosis looks at.
 struct DiagnosisOptions {
+  Range range{};              ///< of the first rail
   double threshold = 1;       ///< degrees
   std::size_t rulings = 400;  ///< of the first rail
   std::size_t targets = 400;  ///< on the second rail for each of them

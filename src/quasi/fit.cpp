@@ -20,6 +20,9 @@ constexpr int most_columns = 200;
 constexpr std::size_t samples_per_piece = 4;
 constexpr std::size_t least_samples = 100;
 
+/// What a strip may cost that does not fold over, as a factor of the measure.
+constexpr double next_to_nothing = 1.005;
+
 /// As much as equal coefficients are moved apart, together.
 constexpr double least_rise = 1e-6;
 
@@ -235,6 +238,17 @@ class Fitter {
   double value_ = 0;
 };
 
+bool folds(const Rails& rails, const Mapping<double>& sigma) {
+  return warp_statistics(rails, sigma, fit_samples(sigma.knots.degree(), sigma.knots.last() + 1)).folded > 0;
+}
+
+/// The measure by the angle of planes, degrees, at the samples of a fit.
+double measure_by_planes(const Rails& rails, const Mapping<double>& sigma, const FitOptions& options) {
+  const Sampling samples(rails.c, sigma.knots, midpoints(fit_samples(options.degree, options.coefficients)));
+  const DescentOptions descent{.measure = options.measure};
+  return measured(rails.d, samples, coefficients(sigma), descent) * degrees;
+}
+
 void require(const FitOptions& options) {
   if (options.degree < 1 || options.degree > 10) {
     throw InvalidInput("degree", "expected 1 to 10, found " + std::to_string(options.degree));
@@ -260,7 +274,21 @@ KnotList<double> mapping_knots(int degree, const std::vector<double>& breaks) {
 
 Fit fit_rails(const Rails& rails, const FitOptions& options) {
   require(options);
-  return Fitter(rails, options).run();
+  Fit fit = Fitter(rails, options).run();
+  if (options.kind == AngleKind::sides || !folds(rails, fit.mapping)) return fit;
+  FitOptions by_sides = options;
+  by_sides.kind = AngleKind::sides;
+  Fit other = Fitter(rails, by_sides).run();
+  const double value = measure_by_planes(rails, other.mapping, options);
+  const double seconds = fit.seconds + other.seconds;
+  if (value < next_to_nothing * fit.value) {
+    other.initial = fit.initial;
+    other.value = value;
+    fit = std::move(other);
+  }
+  fit.by_sides = value;
+  fit.seconds = seconds;
+  return fit;
 }
 
 }  // namespace torse::quasi

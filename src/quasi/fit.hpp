@@ -3,6 +3,7 @@
 //   Fit, fit_rails   the mapping, and how it was found
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ struct Fit {
   std::vector<FitStage> stages{};
   std::vector<FitStep> curve{};
   double seconds = 0;
+  /// Where this strip folds over: the measure of the best one found by the angle of sides, degrees.
+  std::optional<double> by_sides{};
 };
 
 /// The rulings at which a fit samples a mapping with so many coefficients.
@@ -53,7 +56,8 @@ std::size_t fit_samples(int degree, int coefficients);
 KnotList<double> mapping_knots(int degree, const std::vector<double>& breaks);
 
 /// Fits: the best path through a grid of rulings, a descent from there, shifts of its steep places, and, if wanted, a
-/// descent over better knots. Throws InvalidInput naming "degree" or "coefficients".
+/// descent over better knots. By the angle of planes a strip may fold over; then it is fitted by that of sides too, and
+/// that is the result if it costs next to nothing. Throws InvalidInput naming "degree" or "coefficients".
 Fit fit_rails(const Rails& rails, const FitOptions& options = {});
 
 }  // namespace torse::quasi

@@ -49,11 +49,12 @@ Sampling::Sampling(const Rail& c, const KnotList<double>& knots, std::vector<dou
   }
 }
 
-std::vector<double> midpoints(std::size_t count) {
+std::vector<double> midpoints(std::size_t count, const Range& range) {
   std::vector<double> parameters;
   parameters.reserve(count);
   for (std::size_t r = 0; r < count; ++r) {
-    parameters.push_back((static_cast<double>(r) + 0.5) / static_cast<double>(count));
+    const double share = (static_cast<double>(r) + 0.5) / static_cast<double>(count);
+    parameters.push_back(range.from + share * (range.to - range.from));
   }
   return parameters;
 }
@@ -75,8 +76,9 @@ WarpStatistics warp_statistics(const Rail& d, const Sampling& samples, std::span
   return statistics;
 }
 
-WarpStatistics warp_statistics(const Rails& rails, const Mapping<double>& sigma, std::size_t count) {
-  return warp_statistics(rails.d, Sampling(rails.c, sigma.knots, midpoints(count)), coefficients(sigma));
+WarpStatistics warp_statistics(const Rails& rails, const Mapping<double>& sigma, std::size_t count,
+                               const Range& range) {
+  return warp_statistics(rails.d, Sampling(rails.c, sigma.knots, midpoints(count, range)), coefficients(sigma));
 }
 
 }  // namespace torse::quasi

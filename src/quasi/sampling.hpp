@@ -1,6 +1,6 @@
 // Rulings at fixed parameters of the first rail: what a mapping makes of them.
 //   Sampling                 parameters, jets of the first rail, basis functions of the mapping
-//   midpoints                as many parameters as wanted, evenly spread
+//   Range, midpoints         as many parameters as wanted, evenly spread
 //   WarpStatistics           mean, root mean square and maximum of sampled warp angles
 //   warp_statistics          of a mapping, or of T = t
 #pragma once
@@ -46,8 +46,14 @@ class Sampling {
   std::vector<double> basis_;
 };
 
-/// (r + 1/2) / count for r = 0..count - 1.
-std::vector<double> midpoints(std::size_t count);
+/// A range of parameters of the first rail.
+struct Range {
+  double from = 0;
+  double to = 1;
+};
+
+/// The middles of `count` equal parts of a range.
+std::vector<double> midpoints(std::size_t count, const Range& range = {});
 
 /// Warp angles in degrees over sampled rulings; `folded` is the share of those whose normal turns by more than 90
 /// degrees.
@@ -59,7 +65,8 @@ struct WarpStatistics {
 };
 
 /// Of the strip's rulings at `count` midpoints.
-WarpStatistics warp_statistics(const Rails& rails, const Mapping<double>& sigma, std::size_t count);
+WarpStatistics warp_statistics(const Rails& rails, const Mapping<double>& sigma, std::size_t count,
+                               const Range& range = {});
 
 /// Of samples that are at hand.
 WarpStatistics warp_statistics(const Rail& d, const Sampling& samples, std::span<const double> beta);

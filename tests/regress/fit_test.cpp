@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
@@ -122,6 +124,43 @@ TEST_F(Fit, TheCertificateEnclosesWhatIsSampled) {
   }
 }
 
+/// Every rails file of examples/ gives a surface that is better than T = t and certified.
+TEST_F(Fit, TheExamplesAreFitted) {
+  int examples = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(TORSE_SOURCE_PATH "/examples")) {
+    if (entry.path().extension() != ".json") continue;
+    SCOPED_TRACE(entry.path().filename());
+    const bool known = entry.path().filename().string().starts_with("known");
+    const json report =
+        this->report(slurp(entry.path()), {"--degree", known ? "3" : "2", "--coefficients", known ? "4" : "50"});
+    const double after = report.at("after").at("mean_deg");
+    EXPECT_LT(after, known ? 1e-9 : report.at("before").at("mean_deg").get<double>());
+    EXPECT_LT(report.at("max_warp_deg").at("hi").get<double>(), known ? 1e-9 : 90);
+    EXPECT_EQ(report.at("mapping").at("monotone"), "strict");
+    ++examples;
+  }
+  EXPECT_EQ(examples, 9);
+}
+
+TEST_F(Fit, ExtendedRailsCoverTheOldOnes) {
+  const json report = this->report(strip, {"--ends", "extended", "--extend", "1/5"});
+  const RailsFile<Q> rails = read_rails<Q>(Document("rails.json", strip));
+  const RuledFile<Q> surface = written();
+  const Mapping<Q> sigma = mapping_in(report);
+  const json& trim = report.at("trim");
+  const Q c_begin = Q::from_text(trim.at("begin").at("c").get<std::string>());
+  const Q d_begin = Q::from_text(trim.at("begin").at("d").get<std::string>());
+  const Q d_end = Q::from_text(trim.at("end").at("d").get<std::string>());
+  EXPECT_EQ(c_begin, Q(2));
+  EXPECT_EQ(sigma.knots.domain_begin(), std::min(c_begin, d_begin));
+  EXPECT_EQ(at(surface.knots, surface.d, d_begin), rails.d.net.points.front());
+  EXPECT_EQ(at(surface.knots, surface.d, d_end), rails.d.net.points.back());
+  for (int i = 0; i <= 30; ++i) {
+    const Q t = Q(2) + ratio<Q>(i, 10);
+    EXPECT_EQ(at(surface.knots, surface.c, t), at(rails.c.knots, rails.c.net, t)) << i;
+  }
+}
+
 TEST_F(Fit, TellsWhyAndBy90Degrees) {
   const json report = this->report(skew);
   ASSERT_FALSE(report.at("findings").empty());
@@ -168,6 +207,7 @@ TEST_F(Fit, RefusesAndWritesNothing) {
   refused(strip, {"--method", "best"}, "--method: expected warp, paper, discrete, same, found \"best\"");
   refused(strip, {"--degree", "4", "--coefficients", "4"}, "--coefficients: expected at least 5 for degree 4, found 4");
   refused(R"({"torse": 1, "type": "ruled"})", {}, "\"rails\"");
+  refused(strip, {"--ends", "extended", "--extend", "0"}, "--extend: expected a share above 0 and at most 1, found 0");
   refused(strip, {"-o", file("out.xyz")}, ".xyz");
   refused(strip, {"-o", "-", "--json", "-"}, "standard output");
 }
