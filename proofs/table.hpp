@@ -123,6 +123,8 @@ template <class S>
 std::vector<ClaimCase<S>> zw06_cases();
 template <class S>
 std::vector<ClaimCase<S>> fj21_cases();
+template <class S>
+std::vector<ClaimCase<S>> bzz19_cases();
 
 /// All claims over S in ledger order.
 template <class S>
@@ -131,6 +133,7 @@ const std::vector<ClaimCase<S>>& claim_cases() {
     std::vector<ClaimCase<S>> cases = fj07_cases<S>();
     for (ClaimCase<S>& entry : zw06_cases<S>()) cases.push_back(std::move(entry));
     for (ClaimCase<S>& entry : fj21_cases<S>()) cases.push_back(std::move(entry));
+    for (ClaimCase<S>& entry : bzz19_cases<S>()) cases.push_back(std::move(entry));
     return cases;
   }();
   return all;

@@ -124,7 +124,7 @@ P derivative_sum(const KnotList<S>& u, std::span<const P> c, int k, const S& t) 
 /// What a monotone sigma gives is that rulings meet the rails in the same order: no two of them leave the same point of
 /// a rail that is passed once, where sigma increases strictly. It gives neither a patch without self-intersection nor
 /// a regular one, whatever BZZ19 says: with C2 = C1 + (0, 0, 1) on a curve C1 that comes back above itself by less than
-/// 1 the rulings overlap, and an edge of regression may run between the rails.
+/// 1 the rulings overlap, and an edge of regression may run between the rails (claim BZZ19.5.witnesses).
 template <OrderedField S>
 Truth monotone(const Mapping<S>& sigma) {
   Truth ordered = Truth::yes;

@@ -2,7 +2,8 @@
 //   composed_points       the Bezier polygon of c(e(t)) (BZZ19.13 and 14)
 //   elevated_points       the Bezier polygon of a higher degree (BZZ19.14 and 15)
 //   breakpoints           where the pieces of the surface meet (step 1)
-//   SurfaceKnots          the mapping's own knots, or uniform ones as the paper prints
+//   SurfacePiece, surface_piece     the two polygons of one piece (steps 2 to 4)
+//   SurfaceKnots, join_pieces       the mapping's own knots, or uniform ones as the paper prints (step 5)
 //   quasi_surface         the surface (steps 1 to 5, BZZ19.16)
 #pragma once
 
@@ -104,15 +105,64 @@ S value_rounding(const Mapping<S>& sigma) {
   return bound;
 }
 
+/// The Bezier polygons of C1 and of C2 o sigma on one piece of the surface.
+template <class P>
+struct SurfacePiece {
+  std::vector<P> first;
+  std::vector<P> second;
+};
+
+/// Those polygons with D + 1 points on [a, b], which lies on piece k of sigma and k1 of C1, while sigma goes over piece
+/// k2 of C2 there (any of its pieces where it does not move). D >= p1 and D >= p2 d.
+///
+/// Where the paper refines C2 too and takes T^ = (sigma^(t^) - sigma(a)) / (sigma(b) - sigma(a)) (BZZ19.13), the piece
+/// of C2 is kept whole here and T^ is the coordinate of that piece: the same polynomial with no division by zero.
+template <Field S, Point<S> P>
+SurfacePiece<P> surface_piece(const Spline<S, P>& c1, int k1, const Spline<S, P>& c2, int k2, const Mapping<S>& sigma,
+                              int k, const S& a, const S& b, int degree) {
+  const S& low = c2.knots.piece_begin(k2);
+  const S length = c2.knots.piece_end(k2) - low;
+  std::vector<S> e;
+  for (const Vec<S, 1>& value : restricted_points(sigma.knots, sigma.points(), k, a, b)) {
+    e.push_back((value[0] - low) / length);
+  }
+  const std::vector<P> on_c1 = restricted_points(c1.knots, c1.points(), k1, a, b);
+  const std::vector<P> on_c2 = composed_points<S, P>(bezier_points(c2.knots, c2.points(), k2), e);
+  return {elevated_points<S, P>(on_c1, degree), elevated_points<S, P>(on_c2, degree)};
+}
+
+/// The pieces between `list[j]` and `list[j + 1]` as one surface: their polygons share their ends, and each knot occurs
+/// D times (BZZ19.16). Throws InvalidInput for numbers that do not match.
+template <Field S, Point<S> P>
+RuledSpline<S, P> join_pieces(const std::vector<S>& list, const std::vector<SurfacePiece<P>>& pieces, int degree,
+                              SurfaceKnots kind = SurfaceKnots::of_mapping) {
+  const int count = static_cast<int>(list.size()) - 1;
+  std::vector<S> knots;
+  for (int j = 0; j <= count; ++j) {
+    const S uniform = list.front() + from_int<S>(j) * (list.back() - list.front()) / from_int<S>(count);
+    const bool own = kind == SurfaceKnots::of_mapping || j == 0 || j == count;
+    knots.insert(knots.end(), static_cast<std::size_t>(degree), own ? list[static_cast<std::size_t>(j)] : uniform);
+  }
+  std::vector<P> first;
+  std::vector<P> second;
+  for (const SurfacePiece<P>& piece : pieces) {
+    const std::ptrdiff_t shared = first.empty() ? 0 : 1;
+    first.insert(first.end(), piece.first.begin() + shared, piece.first.end());
+    second.insert(second.end(), piece.second.begin() + shared, piece.second.end());
+  }
+  return RuledSpline<S, P>(KnotList<S>(degree, std::move(knots)), std::move(first), std::move(second));
+}
+
 namespace detail {
 
 /// The proper piece of C2 on which sigma stays while it goes from `low` to `high`.
 template <OrderedField S>
 int piece_of_values(const KnotList<S>& u, const S& low, const S& high, const S& rounding) {
   const auto text = [&] { return "[" + as_text(low) + ", " + as_text(high) + "]"; };
-  if (definitely(less(high, low)))
+  if (definitely(less(high + rounding, low))) {
     throw InvalidInput("sigma",
                        "expected a mapping that increases, found values from " + as_text(low) + " to " + as_text(high));
+  }
   if (definitely(less(low + rounding, u.domain_begin())) || definitely(less(u.domain_end(), high - rounding))) {
     throw InvalidInput("sigma", "expected values within the second rail's domain [" + as_text(u.domain_begin()) + ", " +
                                     as_text(u.domain_end()) + "], found " + text());
@@ -130,33 +180,6 @@ int piece_of_values(const KnotList<S>& u, const S& low, const S& high, const S& 
   return found;
 }
 
-/// The Bernstein coefficients of sigma on [a, b] in the coordinate of [low, high].
-template <Field S>
-std::vector<S> local_values(const std::vector<Vec<S, 1>>& values, const S& low, const S& high) {
-  std::vector<S> e;
-  for (const Vec<S, 1>& value : values) e.push_back((value[0] - low) / (high - low));
-  return e;
-}
-
-/// Appends a Bezier polygon to one that ends where it begins.
-template <class P>
-void join(std::vector<P>& row, std::vector<P> polygon) {
-  for (std::size_t i = row.empty() ? 0 : 1; i < polygon.size(); ++i) row.push_back(std::move(polygon[i]));
-}
-
-/// Each breakpoint D times.
-template <Field S>
-KnotList<S> joined_knots(const std::vector<S>& list, int degree, SurfaceKnots kind) {
-  std::vector<S> knots;
-  const int pieces = static_cast<int>(list.size()) - 1;
-  for (int j = 0; j <= pieces; ++j) {
-    const S uniform = list.front() + from_int<S>(j) * (list.back() - list.front()) / from_int<S>(pieces);
-    const bool own = kind == SurfaceKnots::of_mapping || j == 0 || j == pieces;
-    knots.insert(knots.end(), static_cast<std::size_t>(degree), own ? list[static_cast<std::size_t>(j)] : uniform);
-  }
-  return KnotList<S>(degree, std::move(knots));
-}
-
 }  // namespace detail
 
 /// The surface (1-s) C1(t) + s C2(sigma(t)) over sigma's domain (BZZ19.10) as a B-spline surface of degree D = max(p1,
@@ -167,9 +190,6 @@ KnotList<S> joined_knots(const std::vector<S>& list, int degree, SurfaceKnots ki
 /// domain lies in that of C1, its values in that of C2, and it has a knot wherever it passes a knot of C2, as `snapped`
 /// (exact/quasi/snap.hpp) and, rounded, `with_preimages` (quasi/preimages.hpp) give it one. Throws InvalidInput naming
 /// "sigma" otherwise; that it does not decrease is tested at the breakpoints only.
-///
-/// Where the paper refines C2 too and takes T^ = (sigma^(t^) - sigma(a)) / (sigma(b) - sigma(a)) (BZZ19.13), the piece
-/// of C2 is kept whole here and T^ is the coordinate of that piece: the same polynomial with no division by zero.
 template <OrderedField S, Point<S> P>
 RuledSpline<S, P> quasi_surface(const Spline<S, P>& c1, const Spline<S, P>& c2, const Mapping<S>& sigma,
                                 SurfaceKnots kind = SurfaceKnots::of_mapping) {
@@ -181,21 +201,17 @@ RuledSpline<S, P> quasi_surface(const Spline<S, P>& c1, const Spline<S, P>& c2, 
   const int degree = std::max(c1.knots.degree(), c2.knots.degree() * u.degree());
   const S rounding = value_rounding(sigma);
   const std::vector<S> list = breakpoints(u, c1.knots);
-  std::vector<P> first;
-  std::vector<P> second;
+  std::vector<SurfacePiece<P>> pieces;
   for (std::size_t j = 0; j + 1 < list.size(); ++j) {
     const S& a = list[j];
     const S& b = list[j + 1];
-    const std::vector<P> old = restricted_points(c1.knots, c1.points(), piece_at(c1.knots, a), a, b);
-    detail::join(first, elevated_points<S, P>(old, degree));
-
-    const auto values = restricted_points(u, sigma.points(), piece_at(u, a), a, b);
-    const int k = detail::piece_of_values(c2.knots, values.front()[0], values.back()[0], rounding);
-    const std::vector<P> whole = bezier_points(c2.knots, c2.points(), k);
-    const std::vector<S> e = detail::local_values(values, c2.knots.piece_begin(k), c2.knots.piece_end(k));
-    detail::join(second, elevated_points<S, P>(composed_points<S, P>(whole, e), degree));
+    const int k = piece_at(u, a);
+    const S low = curve_point(u, sigma.points(), k, a)[0];
+    const S high = curve_point(u, sigma.points(), k, b)[0];
+    const int k2 = detail::piece_of_values(c2.knots, low, high, rounding);
+    pieces.push_back(surface_piece(c1, piece_at(c1.knots, a), c2, k2, sigma, k, a, b, degree));
   }
-  return RuledSpline<S, P>(detail::joined_knots(list, degree, kind), std::move(first), std::move(second));
+  return join_pieces(list, pieces, degree, kind);
 }
 
 }  // namespace torse

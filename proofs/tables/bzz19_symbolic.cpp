@@ -1,0 +1,13 @@
+#include "torse/proofs/claims/bzz19/list.hpp"
+#include "torse/proofs/models.hpp"
+
+namespace torse::proofs {
+
+template <class S>
+std::vector<ClaimCase<S>> bzz19_cases() {
+  return bzz19::Claims::cases<S>();
+}
+
+template std::vector<ClaimCase<RationalFunction>> bzz19_cases<RationalFunction>();
+
+}  // namespace torse::proofs
