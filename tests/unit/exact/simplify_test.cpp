@@ -1,0 +1,129 @@
+// Simpler surfaces: what is known to be simple comes back so, and the distance is an upper bound by other samples.
+#include "torse/exact/quasi/simplify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "torse/algebra/determinant.hpp"
+#include "torse/exact/quasi/snap.hpp"
+#include "torse/quasi/surface.hpp"
+
+namespace torse {
+namespace {
+
+using Q = Rational;
+using P = Vec<Q, 3>;
+
+KnotList<Q> uniform(int degree, int pieces) {
+  std::vector<Q> list(static_cast<std::size_t>(degree), Q(0));
+  for (int i = 1; i < pieces; ++i) list.push_back(ratio<Q>(i, pieces));
+  list.insert(list.end(), static_cast<std::size_t>(degree), Q(1));
+  return KnotList<Q>(degree, list);
+}
+
+Spline<Q, P> rail(int degree, int pieces, std::uint64_t seed, int height) {
+  std::mt19937_64 rng(seed);
+  std::vector<P> row;
+  for (int i = 0; i < pieces + degree; ++i) {
+    const Q x = ratio<Q>(10 * i, pieces + degree - 1);
+    const Q y = ratio<Q>(static_cast<int>(rng() % 200), 100);
+    row.push_back(P(x, y, Q(height)));
+  }
+  return Spline<Q, P>(uniform(degree, pieces), row);
+}
+
+/// t + t (1 - t) / 3 over some knots, with a small ripple.
+Mapping<Q> bent(const KnotList<Q>& u, int ripple) {
+  Mapping<Q> sigma = identity_mapping(u);
+  for (int i = 1; i < u.last(); ++i) {
+    Q& b = sigma.control[static_cast<std::size_t>(i)][0];
+    b += b * (Q(1) - b) / Q(3) + ratio<Q>(i % 2 == 0 ? ripple : 0, 100000);
+  }
+  return sigma;
+}
+
+ExactSurface result(int ripple) {
+  const Spline<Q, P> c1 = rail(3, 2, 1, 0);
+  const Spline<Q, P> c2 = rail(3, 2, 2, 4);
+  return quasi_surface(c1, c2, snapped(bent(uniform(2, 12), ripple), c1.knots, c2.knots).sigma);
+}
+
+double largest_sampled_distance(const ExactSurface& x, const ExactSurface& y) {
+  double largest = 0;
+  for (int i = 0; i <= 400; ++i) {
+    const Q t = ratio<Q>(i, 400);
+    const auto at = [&](const KnotList<Q>& u, const std::vector<P>& row) {
+      return curve_point<Q, P>(u, row, piece_at(u, t), t);
+    };
+    for (const P& rest :
+         {difference(at(x.knots, x.c), at(y.knots, y.c)), difference(at(x.knots, x.d), at(y.knots, y.d))}) {
+      largest = std::max(largest, std::sqrt(dot<Q>(rest, rest).to_double()));
+    }
+  }
+  return largest;
+}
+
+void expect_near(const SimplifiedSurface& found, const ExactSurface& surface, const Q& tolerance) {
+  EXPECT_LE(found.distance, tolerance.to_double() * (1 + 1e-15));
+  EXPECT_LE(largest_sampled_distance(found.surface, surface), found.distance);
+  for (const bool second : {false, true}) {
+    const std::vector<P>& x = second ? found.surface.d : found.surface.c;
+    const std::vector<P>& y = second ? surface.d : surface.c;
+    EXPECT_EQ(x.front(), y.front());
+    EXPECT_EQ(x.back(), y.back());
+  }
+}
+
+TEST(Simplify, ACubicInDisguiseIsFoundAgain) {
+  // sigma = t over superfluous knots: the rows are the cubic rails with one knot at 1/2, raised to degree 6.
+  const Spline<Q, P> c1 = rail(3, 2, 3, 0);
+  const Spline<Q, P> c2 = rail(3, 2, 4, 5);
+  const ExactSurface surface = quasi_surface(c1, c2, identity_mapping(uniform(2, 8)));
+  ASSERT_EQ(surface.c.size(), 49U);
+  const Q tolerance = ratio<Q>(1, 1000000000);
+  const SimplifiedSurface found = with_lowest_degree(surface, tolerance);
+  EXPECT_EQ(found.surface.knots.degree(), 3);
+  EXPECT_EQ(found.surface.knots.list(), c1.knots.list());
+  expect_near(found, surface, tolerance);
+  EXPECT_LT(found.distance, 1e-12);
+  EXPECT_EQ(with_fewest_points(surface, tolerance).surface.c.size(), 5U);
+}
+
+TEST(Simplify, ResultsOfAlgorithmOne) {
+  const ExactSurface surface = result(20);
+  ASSERT_EQ(surface.knots.degree(), 6);
+  std::size_t last = surface.c.size();
+  for (const int digits : {6, 3}) {
+    const Q tolerance = Q(1) / Q(static_cast<std::int64_t>(std::pow(10, digits)));
+    const SimplifiedSurface found = with_fewest_points(surface, tolerance);
+    expect_near(found, surface, tolerance);
+    EXPECT_LE(found.surface.c.size(), last);
+    last = found.surface.c.size();
+    const SimplifiedSurface low = with_lowest_degree(surface, tolerance);
+    expect_near(low, surface, tolerance);
+    for (int degree = 1; degree < low.surface.knots.degree(); ++degree) {
+      EXPECT_FALSE(with_fewest_knots(surface, degree, tolerance).has_value());
+    }
+  }
+  EXPECT_LT(last, 20U);
+}
+
+TEST(Simplify, WhereNothingIsNearEnoughTheSurfaceItself) {
+  const ExactSurface surface = result(20);
+  const SimplifiedSurface found = with_lowest_degree(surface, Q(1) / Q(1LL << 62));
+  EXPECT_EQ(found.surface.c, surface.c);
+  EXPECT_EQ(found.distance, 0);
+}
+
+TEST(Simplify, RefusesWhatIsNoQuestion) {
+  const ExactSurface surface = result(0);
+  EXPECT_THROW(with_fewest_knots(surface, 0, Q(1)), InvalidInput);
+  EXPECT_THROW(with_fewest_knots(surface, 7, Q(1)), InvalidInput);
+  EXPECT_THROW(with_fewest_knots(surface, 3, Q(0)), InvalidInput);
+}
+
+}  // namespace
+}  // namespace torse
