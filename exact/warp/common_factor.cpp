@@ -54,6 +54,13 @@ class Polynomial {
   fmpq_poly_t f_;
 };
 
+/// The coefficients of f / g as a form of the degree, which is at least that of the quotient.
+BinaryForm<Rational> quotient(Polynomial& f, Polynomial& g, int degree) {
+  Polynomial rest;
+  fmpq_poly_div(rest.get(), f.get(), g.get());
+  return BinaryForm<Rational>(rest.coefficients(degree));
+}
+
 }  // namespace
 
 VectorWithZeros without_common_zeros(const FormVector<Rational>& v) {
@@ -66,11 +73,7 @@ VectorWithZeros without_common_zeros(const FormVector<Rational>& v) {
   for (Polynomial& component : f) fmpq_poly_gcd(common.get(), common.get(), component.get());
 
   VectorWithZeros result;
-  for (std::size_t j = 0; j < 3; ++j) {
-    Polynomial rest;
-    fmpq_poly_div(rest.get(), f[j].get(), common.get());
-    result.direction[j] = BinaryForm<Rational>(rest.coefficients(most - common.degree()));
-  }
+  for (std::size_t j = 0; j < 3; ++j) result.direction[j] = quotient(f[j], common, most - common.degree());
   if (common.degree() > 0) {
     for (const RealRoot& x : real_roots(common.coefficients(common.degree()), root_bits)) {
       const auto parameter = [](const Rational& r) { return r / (Rational(1) + r); };
@@ -79,6 +82,15 @@ VectorWithZeros without_common_zeros(const FormVector<Rational>& v) {
   }
   if (most < degree) result.zeros.push_back({Rational(1), Rational(1)});
   return result;
+}
+
+SineForms<Rational> in_lowest_terms(const SineForms<Rational>& forms) {
+  Polynomial numerator(forms.numerator);
+  Polynomial denominator(forms.denominator);
+  Polynomial common;
+  fmpq_poly_gcd(common.get(), numerator.get(), denominator.get());
+  const int degree = std::max(numerator.degree(), denominator.degree()) - common.degree();
+  return {quotient(numerator, common, degree), quotient(denominator, common, degree)};
 }
 
 }  // namespace torse

@@ -1,5 +1,6 @@
 // The common zeros of three polynomials, and what is left without them.
 //   VectorWithZeros, without_common_zeros      a vector of forms divided by its greatest common divisor
+//   in_lowest_terms                            the same of a quotient
 #pragma once
 
 #include <vector>
@@ -18,5 +19,10 @@ struct VectorWithZeros {
 
 /// Divides by the greatest common divisor. Throws InvalidInput naming "vector" for the zero vector.
 VectorWithZeros without_common_zeros(const FormVector<Rational>& v);
+
+/// The same quotient without common factors of its forms. The denominator has no real zero, so that no factor has one
+/// either, and stays positive where it was. Close complex zeros of both forms would keep the bounds of a search high
+/// until its intervals are as narrow as the distance of the zeros from the real line.
+SineForms<Rational> in_lowest_terms(const SineForms<Rational>& forms);
 
 }  // namespace torse

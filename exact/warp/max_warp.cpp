@@ -264,7 +264,7 @@ class WarpRun {
       for (const auto* zeros : {&m.zeros, &n.zeros}) {
         for (const RealRoot& t : *zeros) exclusions_.push_back({k, parameter(k, t.lower), parameter(k, t.upper)});
       }
-      forms.push_back(sine_forms(cleared(m.direction), cleared(n.direction)));
+      forms.push_back(in_lowest_terms(sine_forms(cleared(m.direction), cleared(n.direction))));
     }
     return settle_exactly(pieces, forms);
   }

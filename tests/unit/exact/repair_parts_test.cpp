@@ -8,6 +8,7 @@
 #include "torse/exact/repair/banded.hpp"
 #include "torse/exact/repair/descent.hpp"
 #include "torse/exact/repair/edge_solver.hpp"
+#include "torse/exact/repair/families.hpp"
 #include "torse/exact/repair/symmetric.hpp"
 #include "torse/exact/repair/vectors.hpp"
 
@@ -167,6 +168,16 @@ TEST(RepairParts, ProjectionsAreLeastSquares) {
   const std::vector<Real> four{Real(3), Real(1), Real(-2), Real(5) / Real(4)};
   expect_projection<4>(rows, random_net<4>(5, 5), four);
   expect_slope<4>([net = random_net<4>(5, 5), rows](const auto& x) { return project<4>(rows, net, x); }, four);
+}
+
+/// d_i = c_i + v has alpha = 1 as a cone, which would have no vertex.
+TEST(RepairParts, ATranslatedRowIsNoCone) {
+  RealNet<3> net = random_net<3>(5, 41);
+  const Vec<Real, 3> v(Real(1), Real(-2), Real(3));
+  for (std::size_t i = 0; i < net.size(); i += 2) net.points[i + 1] = sum(net.points[i], v);
+  EXPECT_FALSE(cone_candidate(net).realise().has_value());
+  for (std::size_t i = 0; i < net.size(); i += 2) net.points[i + 1] = sum(scaled(Real(3), net.points[i]), v);
+  EXPECT_TRUE(cone_candidate(net).realise().has_value());
 }
 
 /// The equations hold for the nets of FJ07.13.

@@ -57,6 +57,38 @@ TEST(CommonZeros, AreFoundAtBothEnds) {
   EXPECT_EQ(found.direction[0].degree(), 1);
 }
 
+/// (s^2 + 3t^2)(s + 2t) t / ((s^2 + 3t^2)(s^2 + t^2)): the degree of both is 2 then.
+TEST(LowestTerms, AreTheSameQuotient) {
+  const auto form = [](std::vector<Q> f) { return BinaryForm<Q>(std::move(f)); };
+  const BinaryForm<Q> common = form({Q(1), Q(0), Q(3)});
+  const BinaryForm<Q> numerator = form({Q(0), Q(1), Q(2)}), denominator = form({Q(1), Q(0), Q(1)});
+  const SineForms<Q> reduced = in_lowest_terms({common * numerator, common * denominator});
+  EXPECT_EQ(reduced.numerator.degree(), 2);
+  EXPECT_EQ(reduced.denominator.degree(), 2);
+  for (int i = 0; i <= 4; ++i) {
+    const Q t = Q(i) / Q(4), s = Q(1) - t;
+    EXPECT_EQ(reduced.numerator(s, t) * denominator(s, t), numerator(s, t) * reduced.denominator(s, t));
+    EXPECT_GT(reduced.denominator(s, t).sign(), 0);
+  }
+  // A lower degree at the end t = 1 is no common factor of one form alone.
+  EXPECT_EQ(in_lowest_terms({form({Q(1), Q(0), Q(0)}), denominator}).denominator.degree(), 2);
+}
+
+/// (t, 0, 0) and (t, 1, h t): both normals nearly vanish at t = 0 within 1/h, where the angle is arctan h.
+TEST(LowestTerms, OfAnglesThatAreNearlyRight) {
+  const Q zero(0), one(1), a = Q(-1) / Q(5), b = Q(4) / Q(5);
+  for (const int exponent : {6, 15, 30, 100}) {
+    Q h(1);
+    for (int i = 0; i < exponent; ++i) h *= Q(10);
+    const std::vector<Point3> c{Point3(a, zero, zero), Point3(b, zero, zero)};
+    const std::vector<Point3> d{Point3(a, one, h * a), Point3(b, one, h * b)};
+    const WarpEnclosure warp = max_warp<Q, 3>(bezier_knots<Q>(1, a, b), c, d, {});
+    EXPECT_TRUE(warp.complete);
+    EXPECT_GE(warp.upper, 90 - 60 / h.to_double());
+    EXPECT_GE(warp.lower, 90 * (1 - 1e-3));
+  }
+}
+
 /// Two pieces, of which the budget covers a part of the first.
 TEST(Search, TheBudgetsEndCountsWhatWasNotLookedAt) {
   using Quotient = BernsteinQuotient<Q>;
