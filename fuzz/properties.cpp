@@ -9,6 +9,7 @@
 #include "torse/fuzz/properties/functions.hpp"
 #include "torse/fuzz/properties/joined_rails.hpp"
 #include "torse/fuzz/properties/known_warp.hpp"
+#include "torse/fuzz/properties/mapped_rails.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
 #include "torse/fuzz/properties/plate.hpp"
 #include "torse/fuzz/properties/recovery.hpp"
@@ -37,6 +38,7 @@ const std::vector<const Property*>& properties() {
       &property<FunctionsOfAPatch>(),
       &property<JoinedRails>(),
       &property<KnownWarp>(),
+      &property<MappedRails>(),
       &property<NearestNets>(),
       &property<NumberText>(),
       &property<PlateBounds>(),

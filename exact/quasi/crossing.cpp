@@ -68,13 +68,18 @@ int chosen(const Mapping<Q>& sigma, const Form<Q>& weights, const Q& missing, in
 
 }  // namespace
 
-Rational last_below(const Mapping<Rational>& sigma, const Rational& value, long exponent) {
+long exponent_of(const Rational& x) {
+  return static_cast<long>(x.numerator_bits()) - static_cast<long>(x.denominator_bits());
+}
+
+Rational last_below(const Mapping<Rational>& sigma, const Rational& value, const Rational& share) {
   const auto below = [&](const Q& t) { return !(value < mapping_value(sigma, t)); };
   const std::vector<int> pieces = sigma.knots.proper_pieces();
   const auto passing =
       std::ranges::find_if(pieces, [&](int k) { return k == pieces.back() || !below(sigma.knots.piece_end(k)); });
   const Q& a = sigma.knots.piece_begin(*passing);
   const Q& b = sigma.knots.piece_end(*passing);
+  const long exponent = exponent_of((b - a) * share);
   const Q grid = repair::power_of_two(exponent);
   Q low = std::clamp(repair::rounded(guessed(sigma, value, a, b), exponent), a, b);
   Q high = std::min(low + grid, b);

@@ -1,4 +1,5 @@
 // The steps of snapping a mapping to the knots of the second rail.
+//   exponent_of           of a positive number
 //   last_below            the last short dyadic parameter at which an increasing mapping is not above a value
 //   weights_at            sigma at one of its knots as a linear form in the coefficients
 //   fit_coefficients      one coefficient changed for each value that sigma is to have at a knot
@@ -18,9 +19,13 @@ struct Crossing {
   Rational value;
 };
 
-/// The last multiple of 2^exponent at which sigma, which does not decrease, is at most `value`; the begin of the piece
-/// that passes the value where there is none in it. The value lies between the end values of sigma.
-Rational last_below(const Mapping<Rational>& sigma, const Rational& value, long exponent);
+/// e with 2^(e-1) < x < 2^(e+1) for a positive x.
+long exponent_of(const Rational& x);
+
+/// The last multiple of a power of two at which sigma, which does not decrease, is at most `value`; the begin of the
+/// piece that passes the value where there is none in it. The power is about `share` of that piece. The value lies
+/// between the end values of sigma.
+Rational last_below(const Mapping<Rational>& sigma, const Rational& value, const Rational& share);
 
 /// sigma(t) at the knot t inside the domain: the coefficients with their basis functions there, as generators.
 Form<Rational> weights_at(const KnotList<Rational>& u, const Rational& t);

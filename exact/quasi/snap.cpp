@@ -18,11 +18,9 @@ namespace {
 
 using Q = Rational;
 using quasi::Crossing;
+using quasi::exponent_of;
 
 Q magnitude(const Q& x) { return x.sign() < 0 ? -x : x; }
-
-/// An e with 2^(e-1) < x < 2^(e+1) for a positive x.
-long exponent_of(const Q& x) { return static_cast<long>(x.numerator_bits()) - static_cast<long>(x.denominator_bits()); }
 
 /// What every trial works with.
 struct Task {
@@ -93,12 +91,12 @@ bool contains(const std::vector<Q>& list, const Q& x) { return std::ranges::find
 /// Where the values are to be passed; nothing where two would be passed at once or none in time.
 std::optional<std::vector<Crossing>> crossings(const Task& task, const Manner& manner) {
   const KnotList<Q>& u = task.sigma.knots;
-  const long exponent = exponent_of((u.domain_end() - u.domain_begin()) * task.tolerance) - manner.bits;
+  const Q share = task.tolerance * repair::power_of_two(-manner.bits);
   std::vector<Crossing> list;
   for (const Q& value : task.values) {
     std::optional<Q> t = manner.take_marks ? mark_of(task, value) : std::nullopt;
     if (!t) {
-      t = quasi::last_below(task.sigma, value, exponent);
+      t = quasi::last_below(task.sigma, value, share);
       if (contains(u.list(), *t)) return std::nullopt;
     }
     if (!list.empty() && !(list.back().t < *t)) return std::nullopt;
