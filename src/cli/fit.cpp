@@ -35,6 +35,7 @@ struct FitCommand {
   bool even_knots = false;
   bool regular = false;
   bool reverse = false;
+  std::string picture;
   std::string extend = "0.1";
   std::string max_warp;
   std::string json;
@@ -178,6 +179,7 @@ int fit(const FitCommand& command, const FitWishes& wishes) {
   for (std::size_t i = 0; i < bytes.size(); ++i) write_file(command.outputs[i], bytes[i]);
 
   const FitTitle title{printable(command.input), face.name, command.method, command.measure, command.ends};
+  if (!command.picture.empty()) write_file(command.picture, fit_svg(title, strip));
   const bool stdout_taken = command.json == "-" || std::ranges::count(command.outputs, "-") > 0;
   const Terminal terminal(stdout_taken ? stderr : stdout);
   if (command.json != "-") {
@@ -239,6 +241,9 @@ std::function<int()> define_fit(CLI::App& app) {
   app.add_flag("--reverse", command->reverse, "take the second rail from its end to its begin");
   app.add_option("--max-warp", command->max_warp, "exit code 1 if the certified largest warp angle exceeds ANGLE")
       ->type_name("ANGLE");
+  app.add_option("--svg", command->picture,
+                 "draw the strip before and after, the mapping, the warp and the convergence")
+      ->type_name("FILE");
   app.add_option("--json", command->json, "write the report as JSON; - is standard output")->type_name("FILE");
   return [command] { return run_fit(*command); };
 }

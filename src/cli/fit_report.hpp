@@ -1,7 +1,7 @@
 // What torse fit says of a strip.
 //   FitTitle           which rails, which method, in the words of the command line
 //   fit_json           for machines, docs/formats.md
-//   fit_text           for people
+//   fit_svg            as a picture     fit_text           for people
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -23,6 +23,10 @@ struct FitTitle {
 
 /// The entry of "surfaces".
 nlohmann::ordered_json fit_json(const FitTitle& title, const FittedStrip& strip);
+
+/// A picture: the strip before and after with its warp in colours, the mapping, the warp along the rail and the
+/// convergence curve.
+std::string fit_svg(const FitTitle& title, const FittedStrip& strip);
 
 /// Several lines.
 std::string fit_text(const FitTitle& title, const FittedStrip& strip, const Terminal& terminal);

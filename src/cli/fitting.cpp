@@ -222,22 +222,24 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
   const quasi::Range range{Rational((u.domain_begin() - begin) / length).to_double(),
                            Rational((u.domain_end() - begin) / length).to_double()};
   const double threshold = wishes.max_warp ? degrees_of(*wishes.max_warp) : default_threshold;
+  const quasi::Rails old = unit_rails(rails);
+  const Mapping<double> sigma = method.sigma;
   FittedStrip strip{
       .method = std::move(method),
       .sigma = exact.sigma,
       .change = exact.change / (used.d.knots.domain_end() - used.d.knots.domain_begin()),
       .monotony = decide_monotony(exact.sigma),
       .surface = ruled_file(quasi_surface(curve_of(used.c), curve_of(used.d), exact.sigma)),
-      .before = quasi::warp_statistics(unit_rails(rails), same_parameter(), measured_rulings),
-      .after = {},
+      .before = quasi::warp_statistics(old, same_parameter(), measured_rulings),
+      .after = quasi::warp_statistics(unit, sigma, measured_rulings, range),
       .certified = {},
+      .old_rulings = quasi::sampled_rulings(old, same_parameter(), drawn_rulings),
+      .rulings = quasi::sampled_rulings(unit, sigma, drawn_rulings, range),
       .trims = std::move(trims),
       .range = range,
       .threshold = threshold,
-      .findings = {},
+      .findings = quasi::diagnose(unit, sigma, {.range = range, .threshold = threshold}),
   };
-  strip.after = quasi::warp_statistics(unit, strip.method.sigma, measured_rulings, range);
-  strip.findings = quasi::diagnose(unit, strip.method.sigma, {.range = range, .threshold = threshold});
   if (!judge(strip.surface).developable()) strip.certified = judge_warp(strip.surface, wishes.max_warp);
   return strip;
 }

@@ -56,14 +56,16 @@ struct FittedStrip {
   Mapping<Rational> sigma;  ///< from the domain of c into that of d
   Rational change;          ///< of the fitted mapping for the exact surface, relative to the domain of d
   MonotonyVerdict monotony;
-  RuledFile<Rational> surface;           ///< (1-v) c(t) + v d(sigma(t)), exactly
-  quasi::WarpStatistics before;          ///< of T = t, sampled
-  quasi::WarpStatistics after;           ///< of the mapping, at other rulings than those of the fit
-  std::optional<WarpVerdict> certified;  ///< none for a surface that is exactly developable
-  std::vector<TrimLine> trims;           ///< of extended rails, at the begin and at the end
-  quasi::Range range;                    ///< of the surface within the first rail as the fit had it
-  double threshold = 0;                  ///< degrees: the warp beyond which `findings` tell why
-  std::vector<quasi::Finding> findings;  ///< parameters over [0, 1]
+  RuledFile<Rational> surface;                    ///< (1-v) c(t) + v d(sigma(t)), exactly
+  quasi::WarpStatistics before;                   ///< of T = t, sampled
+  quasi::WarpStatistics after;                    ///< of the mapping, at other rulings than those of the fit
+  std::optional<WarpVerdict> certified;           ///< none for a surface that is exactly developable
+  std::vector<quasi::SampledRuling> old_rulings;  ///< of T = t, for pictures: of size 1, parameters over [0, 1]
+  std::vector<quasi::SampledRuling> rulings;      ///< of the mapping
+  std::vector<TrimLine> trims;                    ///< of extended rails, at the begin and at the end
+  quasi::Range range;                             ///< of the surface within the first rail as the fit had it
+  double threshold = 0;                           ///< degrees: the warp beyond which `findings` tell why
+  std::vector<quasi::Finding> findings;           ///< parameters over [0, 1]
 };
 
 /// The warp, in degrees, that a diagnosis is about where no other is asked for.
@@ -71,6 +73,9 @@ inline constexpr double default_threshold = 1;
 
 /// As many rulings as `before` and `after` are measured at.
 inline constexpr std::size_t measured_rulings = 2000;
+
+/// And as many are drawn.
+inline constexpr std::size_t drawn_rulings = 240;
 
 /// Fits, makes the exact surface and certifies it. Throws InvalidInput naming "c" or "d" for rails that are points or
 /// too long for doubles, or whose surface would have a degree or a size beyond the limits.

@@ -1,35 +1,11 @@
 // SVG 1.1: geometry with y upwards in one transformed group, so that the coordinates are those of the plate.
 #include <fmt/format.h>
 
-#include <string_view>
-
 #include "torse/cli/plate_files.hpp"
+#include "torse/cli/svg.hpp"
 
 namespace torse::cli {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// A length for SVG's width and height: in the plate's unit where SVG knows it, else in millimetres.
 std::string svg_length(double x, const LengthUnit& unit) {
@@ -65,7 +41,7 @@ std::string texts(const PlateSheet& sheet) {
   std::string result;
   for (const Lettering& line : letterings(sheet)) {
     result += fmt::format("   <text transform=\"translate({} {}) rotate({}) scale({} {})\">{}</text>\n", line.at.x,
-                          line.at.y, line.angle, scale, -scale, escaped(line.text));
+                          line.at.y, line.angle, scale, -scale, svg_escaped(line.text));
   }
   return result;
 }
@@ -82,8 +58,8 @@ std::string plate_svg(const PlateSheet& sheet) {
   svg += fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n",
       svg_length(width, sheet.unit), svg_length(height, sheet.unit), -margin, -plate.height - margin, width, height);
-  svg +=
-      fmt::format(" <title>{}</title>\n <desc>1 user unit = 1 {}</desc>\n", escaped(sheet.face.name), sheet.unit.name);
+  svg += fmt::format(" <title>{}</title>\n <desc>1 user unit = 1 {}</desc>\n", svg_escaped(sheet.face.name),
+                     sheet.unit.name);
   svg += fmt::format(" <g transform=\"scale(1 -1)\" fill=\"none\" stroke-width=\"{}\">\n", stroke);
   svg += fmt::format("  <g id=\"cut\" stroke=\"black\">\n   <path d=\"{}\"/>\n  </g>\n", outline_path(plate));
   svg += fmt::format("  <g id=\"rulings\" stroke=\"blue\">\n{}  </g>\n", ruling_lines(plate, false));

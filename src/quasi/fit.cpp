@@ -103,6 +103,7 @@ class Fitter {
     const std::vector<double> identity = coefficients(fit_.mapping);
     beta_ = identity;
     value_ = fit_.initial = measured(rails_.d, samples_, identity, descent_options()) * degrees;
+    fit_.curve.push_back({value_, 0});
     const int columns = std::clamp(options_.coefficients - options_.degree, least_columns, most_columns);
     const RulingGrid grid(rails_, columns, grid_rows, options_.kind);
     try_start("path", held(follow_path(best_path(grid, options_.ends), identity)));
@@ -146,8 +147,7 @@ class Fitter {
     const double initial = measured(rails_.d, samples, beta, options) * degrees;
     Descent descent = descend(rails_.d, samples, std::move(beta), options);
     for (const DescentStep& step : descent.steps) {
-      const double least = fit_.curve.empty() ? fit_.initial : fit_.curve.back().value;
-      fit_.curve.push_back({std::min(least, step.value * degrees), before + step.seconds});
+      fit_.curve.push_back({std::min(fit_.curve.back().value, step.value * degrees), before + step.seconds});
     }
     fit_.stages.push_back({name, initial, descent.value * degrees, static_cast<int>(descent.steps.size()),
                            descent.evaluations, descent.converged});

@@ -33,6 +33,21 @@ void fill_basis(const KnotList<double>& u, int k, double t, double* basis) {
   }
 }
 
+/// Parameters t in the range at which t + sigma(t) takes `count` evenly spread values, found on a grid.
+std::vector<double> evenly_on_both(const Rail& c, const Mapping<double>& sigma, std::size_t count, const Range& range) {
+  const Sampling grid(c, sigma.knots, midpoints(16 * count, range));
+  const std::vector<double> beta = coefficients(sigma);
+  const auto place = [&](std::size_t r) { return grid.parameter(r) + grid.value(beta, r); };
+  const double begin = place(0);
+  const double length = place(grid.size() - 1) - begin;
+  std::vector<double> parameters;
+  for (std::size_t r = 0; r < grid.size(); ++r) {
+    const double wanted = begin + length * static_cast<double>(parameters.size()) / static_cast<double>(count - 1);
+    if (place(r) >= wanted || r + 1 == grid.size()) parameters.push_back(grid.parameter(r));
+  }
+  return parameters;
+}
+
 }  // namespace
 
 Sampling::Sampling(const Rail& c, const KnotList<double>& knots, std::vector<double> parameters)
@@ -57,6 +72,21 @@ std::vector<double> midpoints(std::size_t count, const Range& range) {
     parameters.push_back(range.from + share * (range.to - range.from));
   }
   return parameters;
+}
+
+std::vector<SampledRuling> sampled_rulings(const Rails& rails, const Mapping<double>& sigma, std::size_t count,
+                                           const Range& range) {
+  const std::vector<double> beta = coefficients(sigma);
+  const Sampling samples(rails.c, sigma.knots, evenly_on_both(rails.c, sigma, count, range));
+  std::vector<SampledRuling> rulings;
+  for (std::size_t r = 0; r < samples.size(); ++r) {
+    const double target = samples.value(beta, r);
+    const RailJet d = rails.d(target);
+    const RulingAngle ruling = ruling_angle(samples.jet(r), d, AngleKind::planes);
+    rulings.push_back({samples.parameter(r), target, samples.jet(r).point, d.point,
+                       std::abs(ruling.angle.value) * 180 / std::numbers::pi});
+  }
+  return rulings;
 }
 
 WarpStatistics warp_statistics(const Rail& d, const Sampling& samples, std::span<const double> beta) {

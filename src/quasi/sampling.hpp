@@ -1,6 +1,7 @@
 // Rulings at fixed parameters of the first rail: what a mapping makes of them.
 //   Sampling                 parameters, jets of the first rail, basis functions of the mapping
 //   Range, midpoints         as many parameters as wanted, evenly spread
+//   SampledRuling, sampled_rulings    in space
 //   WarpStatistics           mean, root mean square and maximum of sampled warp angles
 //   warp_statistics          of a mapping, or of T = t
 #pragma once
@@ -54,6 +55,19 @@ struct Range {
 
 /// The middles of `count` equal parts of a range.
 std::vector<double> midpoints(std::size_t count, const Range& range = {});
+
+/// A ruling as it stands in space.
+struct SampledRuling {
+  double t;
+  double target;  ///< sigma(t)
+  Vector c;
+  Vector d;
+  double warp;  ///< degrees
+};
+
+/// About `count` rulings, evenly spread by the mean of t and sigma(t), so that they are dense on neither rail alone.
+std::vector<SampledRuling> sampled_rulings(const Rails& rails, const Mapping<double>& sigma, std::size_t count,
+                                           const Range& range = {});
 
 /// Warp angles in degrees over sampled rulings; `folded` is the share of those whose normal turns by more than 90
 /// degrees.

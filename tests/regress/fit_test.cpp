@@ -196,6 +196,23 @@ TEST_F(Fit, WritesWhatItsNameSays) {
   EXPECT_EQ(slurp(scratch / "b.glb").substr(0, 4), "glTF");
 }
 
+/// The picture holds as many quadrangles as rulings but one for either strip, and all three diagrams.
+TEST_F(Fit, DrawsItself) {
+  for (const char* method : {"warp", "paper"}) {
+    const ProgramResult result = run(strip, {"--method", method, "--svg", file("picture.svg")});
+    EXPECT_EQ(result.exit, 0) << result.err;
+    const std::string svg = slurp(scratch / "picture.svg");
+    EXPECT_THAT(svg, HasSubstr("</svg>"));
+    for (const char* title : {"mapping", "warp along the first rail", "convergence"})
+      EXPECT_THAT(svg, HasSubstr(title));
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+    std::size_t quadrangles = 0;
+    for (std::size_t at = svg.find("Z\"/>"); at != std::string::npos; at = svg.find("Z\"/>", at + 1)) ++quadrangles;
+    EXPECT_GT(quadrangles, 400U);
+  }
+}
+
 TEST_F(Fit, RefusesAndWritesNothing) {
   const auto refused = [&](const std::string& text, const std::vector<std::string>& options, const std::string& words) {
     const ProgramResult result = run(text, options);
