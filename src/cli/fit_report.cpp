@@ -126,6 +126,23 @@ std::string findings_text(const FittedStrip& strip) {
   return text;
 }
 
+/// What is known of folds: certified, or a ruling that folds over.
+std::string folds_text(const FittedStrip& strip, const Terminal& terminal) {
+  if (strip.folds.folded == Truth::no) {
+    return "  certified: the normal turns by at most 90 degrees along every ruling, so there is no edge of "
+           "regression\n";
+  }
+  if (strip.folds.folded == Truth::unknown) {
+    return fmt::format("  {}: whether the surface folds over between the rails\n",
+                       terminal.painted(Paint::doubtful, "undecided"));
+  }
+  std::string text = fmt::format("  {} between the rails, as at u = {:.6g}, and along {:.2g} % of the rulings",
+                                 terminal.painted(Paint::bad, "folds over"), strip.folds.witness->parameter.to_double(),
+                                 100 * strip.after.folded);
+  const bool other = strip.method.fit && strip.method.fit->by_sides;
+  return text + (other ? fmt::format("; --regular: {:.6g} degrees\n", *strip.method.fit->by_sides) : "\n");
+}
+
 /// Six digits, and no less than that for small angles.
 std::string degrees_text(double x) { return fmt::format("{:.6g}", x); }
 
@@ -147,6 +164,9 @@ nlohmann::ordered_json fit_json(const FitTitle& title, const FittedStrip& strip)
   const KnotList<Rational>& u = strip.surface.knots;
   json["surface"] = {{"degree", u.degree()}, {"pieces", u.proper_pieces().size()}, {"points", u.last() + 1}};
   json["seconds"] = strip.method.seconds;
+  Json folds{{"folded", strip.folds.folded == Truth::unknown ? Json() : Json(strip.folds.folded == Truth::yes)}};
+  if (strip.folds.witness) folds["at"] = strip.folds.witness->parameter.text();
+  json["folds"] = folds;
   if (!strip.trims.empty()) {
     const auto line = [](const TrimLine& trim) { return Json{{"c", trim.c.text()}, {"d", trim.d.text()}}; };
     json["trim"] = {{"begin", line(strip.trims[0])}, {"end", line(strip.trims[1])}};
@@ -177,12 +197,7 @@ std::string fit_text(const FitTitle& title, const FittedStrip& strip, const Term
     text += fmt::format("  trim along the line from c({:.6g}) to d at the ruling of u = {:.6g}\n", trim.c.to_double(),
                         trim.d.to_double());
   }
-  if (strip.after.folded > 0) {
-    text += fmt::format("  {}: along {:.2g} % of the rulings the normal turns by more than 90 degrees",
-                        terminal.painted(Paint::doubtful, "folded"), 100 * strip.after.folded);
-    const bool other = strip.method.fit && strip.method.fit->by_sides;
-    text += other ? fmt::format("; --regular: {} degrees\n", degrees_text(*strip.method.fit->by_sides)) : "\n";
-  }
+  text += folds_text(strip, terminal);
   text += findings_text(strip);
   if (strip.method.paper)
     text += fmt::format("  L-BFGS: {} steps, {}\n", strip.method.paper->steps, strip.method.paper->stop);

@@ -190,6 +190,13 @@ void require_size(const RailsFile<Rational>& rails, const FitWishes& wishes) {
   }
 }
 
+FoldVerdict folds_of(const RuledFile<Rational>& surface) {
+  if (unit_weights(surface.c) && unit_weights(surface.d)) {
+    return decide_folds<3>(surface.knots, surface.c.points, surface.d.points);
+  }
+  return decide_folds<4>(surface.knots, homogeneous(surface.c), homogeneous(surface.d));
+}
+
 double degrees_of(const Angle& angle) { return angle.value.to_double() * (angle.radians ? 180 / std::numbers::pi : 1); }
 
 }  // namespace
@@ -233,6 +240,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .before = quasi::warp_statistics(old, same_parameter(), measured_rulings),
       .after = quasi::warp_statistics(unit, sigma, measured_rulings, range),
       .certified = {},
+      .folds = {},
       .old_rulings = quasi::sampled_rulings(old, same_parameter(), drawn_rulings),
       .rulings = quasi::sampled_rulings(unit, sigma, drawn_rulings, range),
       .trims = std::move(trims),
@@ -240,6 +248,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .threshold = threshold,
       .findings = quasi::diagnose(unit, sigma, {.range = range, .threshold = threshold}),
   };
+  strip.folds = folds_of(strip.surface);
   if (!judge(strip.surface).developable()) strip.certified = judge_warp(strip.surface, wishes.max_warp);
   return strip;
 }
