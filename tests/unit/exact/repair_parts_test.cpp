@@ -9,6 +9,7 @@
 #include "torse/exact/repair/descent.hpp"
 #include "torse/exact/repair/edge_solver.hpp"
 #include "torse/exact/repair/families.hpp"
+#include "torse/exact/repair/frame.hpp"
 #include "torse/exact/repair/symmetric.hpp"
 #include "torse/exact/repair/vectors.hpp"
 
@@ -168,6 +169,37 @@ TEST(RepairParts, ProjectionsAreLeastSquares) {
   const std::vector<Real> four{Real(3), Real(1), Real(-2), Real(5) / Real(4)};
   expect_projection<4>(rows, random_net<4>(5, 5), four);
   expect_slope<4>([net = random_net<4>(5, 5), rows](const auto& x) { return project<4>(rows, net, x); }, four);
+}
+
+/// What a candidate says of its distance is the distance of the exact net that it makes, each row over its scale.
+TEST(RepairParts, ConesOfRowsAreAsFarAsTheySay) {
+  const RealNet<4> net = random_net<4>(5, 43);
+  for (const Candidate<4>& candidate : {pencil_candidate(net), cylinder_candidate<4>(net)}) {
+    const auto exact = candidate.realise();
+    ASSERT_TRUE(exact.has_value());
+    double sum = 0;
+    for (std::size_t i = 0; i < net.size(); ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const double off = number(net.points[i][j] - Real::from_rational((*exact)[i][j]));
+        sum += off * off / number(net.scale[i]);
+      }
+    }
+    EXPECT_NEAR(sum, number(candidate.squared), sum / 128);  // its numbers are simple ones nearby
+  }
+}
+
+/// A row (w, w x) moves its point by 1/w of what it moves itself.
+TEST(RepairParts, TheScaleOfARowIsTheSquareOfItsWeight) {
+  RuledRows rows;
+  for (int i = 0; i < 2; ++i) {
+    rows.c.points.emplace_back(Q(i), Q(0), Q(0));
+    rows.d.points.emplace_back(Q(i), Q(1), Q(i));
+    rows.c.weights.push_back(Q(3 + i));
+    rows.d.weights.push_back(Q(-1) / Q(2 + i));
+  }
+  const RealNet<4> net = real_net<4>(rows, frame_of(rows));
+  ASSERT_EQ(net.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(net.scale[i] == net.points[i][0] * net.points[i][0]);
 }
 
 /// d_i = c_i + v has alpha = 1 as a cone, which would have no vertex.

@@ -442,6 +442,7 @@ TEST(RepairDistance, CountsByHand) {
   EXPECT_NEAR(distance_between(before, after).surfaces.value(), std::sqrt(27.25) / 4, 1e-14);
   after.c.weights[0] = Q(-1);
   EXPECT_FALSE(distance_between(before, after).surfaces);
+  EXPECT_FALSE(distance_between(after, before).surfaces);
 }
 
 /// A length that is over a double by less than 106 bits can tell.
