@@ -18,7 +18,7 @@ RulingAngle ruling_angle(const RulingTerms<double>& terms, AngleKind kind) {
   RulingAngle ruling{{}, x.value < 0};
   ruling.angle.value = std::atan2(y.value, x.value);
   if (kind == AngleKind::planes && ruling.folded) {
-    ruling.angle.value += y.value > 0 ? -std::numbers::pi : std::numbers::pi;
+    ruling.angle.value += ruling.angle.value > 0 ? -std::numbers::pi : std::numbers::pi;
   }
   ruling.angle.first = (x.value * y.first - y.value * x.first) / norm;
   ruling.angle.second = (x.value * y.second - y.value * x.second) / norm -
