@@ -139,6 +139,7 @@ std::vector<double> MonotoneModel::minimize(const BandedMatrix& h, std::span<con
     const bool released = untie(force);
     if (!tie() && !released) break;
   }
+  if (!std::ranges::all_of(x_, [](double x) { return std::isfinite(x); })) return {b.begin(), b.end()};
   if (ends_ == Ends::fixed) x_.front() = 0;
   double least = 0;
   for (double& x : x_) least = x = std::clamp(x, least, 1.0);

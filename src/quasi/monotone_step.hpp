@@ -44,7 +44,8 @@ class MonotoneModel {
  public:
   MonotoneModel(std::size_t size, std::size_t width, Ends ends);
 
-  /// Takes a positive definite H. The result obeys the constraints whatever happens.
+  /// Takes a positive definite H and a b that obeys the constraints. The result obeys them whatever happens: where H is
+  /// so nearly singular that the solution is not finite, it is b.
   std::vector<double> minimize(const BandedMatrix& h, std::span<const double> g, std::span<const double> b);
 
  private:
