@@ -14,15 +14,50 @@ using Row = Vec<double, 4>;
 /// The degree up to which a Bezier polygon needs no memory from the heap.
 constexpr int small_degree = 12;
 
-Vector affine(const Row& row) { return row.tail<3>(); }
+/// A polynomial at a parameter with three derivatives.
+template <int D>
+struct Derivatives {
+  Vec<double, D> value;
+  Vec<double, D> first = Vec<double, D>::Zero();
+  Vec<double, D> second = Vec<double, D>::Zero();
+  Vec<double, D> third = Vec<double, D>::Zero();
+};
+
+/// At the share y of a piece of this length, by de Casteljau's algorithm: its last rows hold the differences that the
+/// derivatives are made of.
+template <int D>
+Derivatives<D> derivatives(const Vec<double, D>* bezier, int degree, double y, double length) {
+  std::array<Vec<double, D>, small_degree + 1> small;
+  std::vector<Vec<double, D>> large;
+  Vec<double, D>* row = small.data();
+  if (degree > small_degree) {
+    large.resize(static_cast<std::size_t>(degree) + 1);
+    row = large.data();
+  }
+  std::copy_n(bezier, degree + 1, row);
+
+  const double x = 1 - y;
+  const double factor1 = degree / length;
+  const double factor2 = (degree - 1) / length * factor1;
+  Derivatives<D> at;
+  for (int size = degree + 1; size > 1; --size) {
+    if (size == 4) at.third = (degree - 2) / length * factor2 * (row[3] - 3 * row[2] + 3 * row[1] - row[0]);
+    if (size == 3) at.second = factor2 * (row[2] - 2 * row[1] + row[0]);
+    if (size == 2) at.first = factor1 * (row[1] - row[0]);
+    for (int i = 0; i + 1 < size; ++i) row[i] = x * row[i] + y * row[i + 1];
+  }
+  at.value = row[0];
+  return at;
+}
 
 /// The quotient x = r / w of a numerator and a weight with their derivatives: r = x w gives r' = x' w + x w' and so on.
-RailJet quotient(const Row& r, const Row& r1, const Row& r2, const Row& r3) {
+RailJet quotient(const Derivatives<4>& r) {
+  const double w = r.value[0], w1 = r.first[0], w2 = r.second[0], w3 = r.third[0];
   RailJet jet;
-  jet.point = affine(r) / r[0];
-  jet.first = (affine(r1) - r1[0] * jet.point) / r[0];
-  jet.second = (affine(r2) - r2[0] * jet.point - 2 * r1[0] * jet.first) / r[0];
-  jet.third = (affine(r3) - r3[0] * jet.point - 3 * r2[0] * jet.first - 3 * r1[0] * jet.second) / r[0];
+  jet.point = r.value.tail<3>() / w;
+  jet.first = (r.first.tail<3>() - w1 * jet.point) / w;
+  jet.second = (r.second.tail<3>() - w2 * jet.point - 2 * w1 * jet.first) / w;
+  jet.third = (r.third.tail<3>() - w3 * jet.point - 3 * w2 * jet.first - 3 * w1 * jet.second) / w;
   return jet;
 }
 
@@ -47,13 +82,18 @@ std::vector<Row> bezier_rows(const Spline<double, Row>& curve) {
 }  // namespace
 
 Rail::Rail(int degree, std::vector<double> breaks, std::vector<Row> control)
-    : degree_(degree), breaks_(std::move(breaks)), control_(std::move(control)) {
-  const double weight = control_.front()[0];
-  for (Row& row : control_) {
+    : degree_(degree), breaks_(std::move(breaks)) {
+  const double weight = control.front()[0];
+  bool rational = false;
+  for (const Row& row : control) {
     if (!row.allFinite()) throw InvalidInput("points", "expected finite numbers");
-    rational_ = rational_ || row[0] != weight;
-    row /= weight;
+    rational = rational || row[0] != weight;
   }
+  if (rational) {
+    rows_ = std::move(control);
+    return;
+  }
+  for (const Row& row : control) points_.push_back(row.tail<3>() / weight);
 }
 
 Rail::Rail(const Spline<double, Row>& curve) : Rail(curve.knots.degree(), breaks_of(curve), bezier_rows(curve)) {}
@@ -63,30 +103,9 @@ RailJet Rail::operator()(double t) const {
   const double begin = breaks_[static_cast<std::size_t>(piece)];
   const double length = breaks_[static_cast<std::size_t>(piece) + 1] - begin;
   const double y = (t - begin) / length;
-  const double x = 1 - y;
-  const auto first = control_.begin() + piece * (degree_ + 1);
-
-  std::array<Row, small_degree + 1> small;
-  std::vector<Row> large;
-  Row* row = small.data();
-  if (degree_ > small_degree) {
-    large.resize(static_cast<std::size_t>(degree_) + 1);
-    row = large.data();
-  }
-  std::copy_n(first, degree_ + 1, row);
-
-  // De Casteljau's algorithm; its last rows hold the differences that the derivatives are made of.
-  Row r1 = Row::Zero(), r2 = Row::Zero(), r3 = Row::Zero();
-  double factor = 1 / (length * length * length);
-  for (int i = 0; i < 3; ++i) factor *= degree_ - i;
-  for (int size = degree_ + 1; size > 1; --size) {
-    if (size == 4) r3 = factor * (row[3] - 3 * row[2] + 3 * row[1] - row[0]);
-    if (size == 3) r2 = (degree_ * (degree_ - 1) / (length * length)) * (row[2] - 2 * row[1] + row[0]);
-    if (size == 2) r1 = (degree_ / length) * (row[1] - row[0]);
-    for (int i = 0; i + 1 < size; ++i) row[i] = x * row[i] + y * row[i + 1];
-  }
-  if (rational_) return quotient(row[0], r1, r2, r3);
-  return {affine(row[0]), affine(r1), affine(r2), affine(r3)};
+  if (!rows_.empty()) return quotient(derivatives<4>(rows_.data() + piece * (degree_ + 1), degree_, y, length));
+  const Derivatives<3> at = derivatives<3>(points_.data() + piece * (degree_ + 1), degree_, y, length);
+  return {at.value, at.first, at.second, at.third};
 }
 
 }  // namespace torse::quasi

@@ -42,9 +42,10 @@ class Rail {
 
  private:
   int degree_;
-  bool rational_ = false;
   std::vector<double> breaks_;
-  std::vector<Vec<double, 4>> control_;  // degree + 1 rows for each piece
+  // degree + 1 for each piece: points of a polynomial curve, rows of a rational one
+  std::vector<Vector> points_;
+  std::vector<Vec<double, 4>> rows_;
 };
 
 /// The two rails of a strip: the ruling at t joins c(t) and d(sigma(t)).
