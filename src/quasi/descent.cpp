@@ -71,6 +71,8 @@ class Descender {
         model_(beta.size(), width(), options.ends),
         hessian_(beta.size(), width()),
         gradient_(beta.size()),
+        move_(beta.size()),
+        product_(beta.size()),
         angles_(samples.size()),
         trial_angles_(samples.size()) {
     result_.beta = std::move(beta);
@@ -155,6 +157,19 @@ class Descender {
     return h;
   }
 
+  /// How much the model, without its damping, promises to lower the sum by the trial.
+  double promised() {
+    double slope = 0;
+    double curvature = 0;
+    for (std::size_t i = 0; i < trial_.size(); ++i) move_[i] = trial_[i] - result_.beta[i];
+    hessian_.multiply(move_, product_);
+    for (std::size_t i = 0; i < trial_.size(); ++i) {
+      slope -= gradient_[i] * move_[i];
+      curvature += move_[i] * product_[i];
+    }
+    return slope - curvature / 2;
+  }
+
   void descend_stage(const Loss& loss) {
     double damping = first_damping;
     double sum = total(loss, angles_);
@@ -163,6 +178,7 @@ class Descender {
       double lower = sum;
       for (int trial = 0; trial < most_trials; ++trial) {
         trial_ = model_.minimize(damped(damping), gradient_, result_.beta);
+        if (promised() <= enough * sum) return;
         angles_at(trial_, trial_angles_);
         lower = total(loss, trial_angles_);
         if (lower < sum) break;
@@ -195,6 +211,8 @@ class Descender {
   MonotoneModel model_;
   BandedMatrix hessian_;
   std::vector<double> gradient_;
+  std::vector<double> move_;
+  std::vector<double> product_;  // of the Hessian with the move
   std::vector<Taylor<double>> angles_;
   std::vector<Taylor<double>> trial_angles_;
   std::vector<double> trial_;
