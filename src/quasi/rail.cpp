@@ -23,10 +23,10 @@ struct Derivatives {
   Vec<double, D> third = Vec<double, D>::Zero();
 };
 
-/// At the share y of a piece of this length, by de Casteljau's algorithm: its last rows hold the differences that the
-/// derivatives are made of.
+/// At the share y of a piece, which is 1 / rate long, by de Casteljau's algorithm: its last rows hold the differences
+/// that the derivatives are made of.
 template <int D>
-Derivatives<D> derivatives(const Vec<double, D>* bezier, int degree, double y, double length) {
+Derivatives<D> derivatives(const Vec<double, D>* bezier, int degree, double y, double rate) {
   std::array<Vec<double, D>, small_degree + 1> small;
   std::vector<Vec<double, D>> large;
   Vec<double, D>* row = small.data();
@@ -37,11 +37,11 @@ Derivatives<D> derivatives(const Vec<double, D>* bezier, int degree, double y, d
   std::copy_n(bezier, degree + 1, row);
 
   const double x = 1 - y;
-  const double factor1 = degree / length;
-  const double factor2 = (degree - 1) / length * factor1;
+  const double factor1 = degree * rate;
+  const double factor2 = (degree - 1) * rate * factor1;
   Derivatives<D> at;
   for (int size = degree + 1; size > 1; --size) {
-    if (size == 4) at.third = (degree - 2) / length * factor2 * (row[3] - 3 * row[2] + 3 * row[1] - row[0]);
+    if (size == 4) at.third = (degree - 2) * rate * factor2 * (row[3] - 3 * row[2] + 3 * row[1] - row[0]);
     if (size == 3) at.second = factor2 * (row[2] - 2 * row[1] + row[0]);
     if (size == 2) at.first = factor1 * (row[1] - row[0]);
     for (int i = 0; i + 1 < size; ++i) row[i] = x * row[i] + y * row[i + 1];
@@ -83,6 +83,7 @@ std::vector<Row> bezier_rows(const Spline<double, Row>& curve) {
 
 Rail::Rail(int degree, std::vector<double> breaks, std::vector<Row> control)
     : degree_(degree), breaks_(std::move(breaks)) {
+  for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) rates_.push_back(1 / (breaks_[i + 1] - breaks_[i]));
   const double weight = control.front()[0];
   bool rational = false;
   for (const Row& row : control) {
@@ -99,12 +100,12 @@ Rail::Rail(int degree, std::vector<double> breaks, std::vector<Row> control)
 Rail::Rail(const Spline<double, Row>& curve) : Rail(curve.knots.degree(), breaks_of(curve), bezier_rows(curve)) {}
 
 RailJet Rail::operator()(double t) const {
-  const auto piece = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t) - breaks_.begin() - 1;
-  const double begin = breaks_[static_cast<std::size_t>(piece)];
-  const double length = breaks_[static_cast<std::size_t>(piece) + 1] - begin;
-  const double y = (t - begin) / length;
-  if (!rows_.empty()) return quotient(derivatives<4>(rows_.data() + piece * (degree_ + 1), degree_, y, length));
-  const Derivatives<3> at = derivatives<3>(points_.data() + piece * (degree_ + 1), degree_, y, length);
+  const auto above = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t);
+  const std::size_t piece = static_cast<std::size_t>(above - breaks_.begin()) - 1;
+  const std::size_t first = piece * (static_cast<std::size_t>(degree_) + 1);
+  const double y = (t - breaks_[piece]) / (breaks_[piece + 1] - breaks_[piece]);
+  if (!rows_.empty()) return quotient(derivatives<4>(rows_.data() + first, degree_, y, rates_[piece]));
+  const Derivatives<3> at = derivatives<3>(points_.data() + first, degree_, y, rates_[piece]);
   return {at.value, at.first, at.second, at.third};
 }
 

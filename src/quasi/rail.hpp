@@ -43,6 +43,7 @@ class Rail {
  private:
   int degree_;
   std::vector<double> breaks_;
+  std::vector<double> rates_;  // 1 / length of each piece
   // degree + 1 for each piece: points of a polynomial curve, rows of a rational one
   std::vector<Vector> points_;
   std::vector<Vec<double, 4>> rows_;

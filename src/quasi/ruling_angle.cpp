@@ -8,8 +8,9 @@ namespace torse::quasi {
 RulingAngle ruling_angle(const RulingTerms<double>& terms, AngleKind kind) {
   const auto& [x, volume, square] = terms;
   const double length = std::sqrt(square.value);
-  const double length1 = square.first / (2 * length);
-  const double length2 = (square.second / 2 - length1 * length1) / length;
+  const double by_length = 1 / length;
+  const double length1 = square.first / 2 * by_length;
+  const double length2 = (square.second / 2 - length1 * length1) * by_length;
   const Taylor<double> y{length * volume.value, length1 * volume.value + length * volume.first,
                          length2 * volume.value + 2 * length1 * volume.first + length * volume.second};
   const double norm = x.value * x.value + y.value * y.value;
@@ -20,9 +21,11 @@ RulingAngle ruling_angle(const RulingTerms<double>& terms, AngleKind kind) {
   if (kind == AngleKind::planes && ruling.folded) {
     ruling.angle.value += ruling.angle.value > 0 ? -std::numbers::pi : std::numbers::pi;
   }
-  ruling.angle.first = (x.value * y.first - y.value * x.first) / norm;
-  ruling.angle.second = (x.value * y.second - y.value * x.second) / norm -
-                        2 * ruling.angle.first * (x.value * x.first + y.value * y.first) / norm;
+  const double by_norm = 1 / norm;
+  ruling.angle.first = (x.value * y.first - y.value * x.first) * by_norm;
+  ruling.angle.second =
+      (x.value * y.second - y.value * x.second - 2 * ruling.angle.first * (x.value * x.first + y.value * y.first)) *
+      by_norm;
   return ruling;
 }
 
