@@ -14,7 +14,8 @@ namespace torse::quasi {
 /// fixed: sigma(0) = 0 and sigma(1) = 1. free: 0 <= sigma(0), sigma(1) <= 1.
 enum class Ends { fixed, free };
 
-/// cost(i, j) >= 0: the angle of the ruling from c(i / columns) to d(j / rows), roughly, in single precision.
+/// cost(i, j) >= 0: the angle of the ruling from c(i / columns) to d(j / rows) within half a percent and the rounding
+/// errors of single precision; 0 where it is not defined.
 class RulingGrid {
  public:
   RulingGrid(const Rails& rails, int columns, int rows, AngleKind kind);
