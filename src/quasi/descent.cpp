@@ -20,7 +20,7 @@ constexpr double enough = 1e-4;
 /// Damping at the start of a stage, and its factors after a step that lowers the sum and after one that does not.
 constexpr double first_damping = 1e-3;
 constexpr double relief = 0.2;
-constexpr double tightening = 8;
+constexpr double tightening = 16;
 constexpr double least_damping = 1e-12;
 constexpr int most_trials = 12;
 

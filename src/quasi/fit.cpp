@@ -17,7 +17,7 @@ constexpr int least_columns = 24;
 constexpr int most_columns = 200;
 
 /// Samples for each piece of the mapping, and at least so many together.
-constexpr std::size_t samples_per_piece = 4;
+constexpr std::size_t samples_per_piece = 3;
 constexpr std::size_t least_samples = 100;
 
 /// What a strip may cost that does not fold over, as a factor of the measure.
