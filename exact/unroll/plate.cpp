@@ -21,9 +21,6 @@ using arb::Real;
 
 constexpr slong bits = 256;
 
-/// As many rulings as a plate may need while it is developed.
-constexpr std::size_t most_stations = 5'001;
-
 /// Points of the plate where the outline's winding is looked at.
 constexpr std::size_t most_probes = 256;
 
@@ -310,7 +307,7 @@ Plate unroll_plate(const std::vector<PieceStrip>& strips, const PlateOptions& op
   std::vector<Rational> marks = options.marks;
   std::ranges::sort(marks);
   const double arc_tolerance = arc_share * options.tolerance;
-  const std::vector<Station> stations = develop(strips, marks, arc_tolerance, most_stations);
+  const std::vector<Station> stations = develop(strips, marks, arc_tolerance, options.stations);
   std::vector<Station> kept;
   for (std::size_t i : thinned(stations, marks, arc_tolerance)) kept.push_back(stations[i]);
 

@@ -16,10 +16,11 @@
 namespace torse {
 
 struct PlateOptions {
-  double tolerance;             ///< how far a drawn boundary curve may be from the true one
-  std::vector<Rational> marks;  ///< rulings that get a vertex and are marked; the first and the last always are
-  double warp_degrees = 0;      ///< an upper bound of the warp angle, below 90; 0 for a developable surface
-  bool mirrored = false;        ///< seen from the other side
+  double tolerance;              ///< how far a drawn boundary curve may be from the true one
+  std::vector<Rational> marks;   ///< rulings that get a vertex and are marked; the first and the last always are
+  double warp_degrees = 0;       ///< an upper bound of the warp angle, below 90; 0 for a developable surface
+  bool mirrored = false;         ///< seen from the other side
+  std::size_t stations = 5'001;  ///< as many rulings as it may take to develop the plate
 };
 
 /// A boundary curve. The rail on the surface and in the plane have the same length, the polyline a shorter one.
@@ -66,7 +67,8 @@ Outline outline_of(const Plate& plate);
 std::vector<Rational> ruling_marks(const KnotList<Rational>& u, const std::vector<PieceStrip>& strips, int count);
 
 /// The strips have no obstacle (strip.hpp); the rows are those of the strips. Throws InvalidInput naming "tolerance"
-/// where that cannot be reached, and "points" for a surface whose size is not between 1e-100 and 1e100.
+/// where that cannot be reached, with so many rulings at least, and "points" for a surface whose size is not between
+/// 1e-100 and 1e100.
 Plate unroll_plate(const std::vector<PieceStrip>& strips, const PlateOptions& options);
 
 }  // namespace torse

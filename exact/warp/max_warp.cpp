@@ -24,6 +24,9 @@ using WarpBall = Ball<ball_bits>;
 /// The cost of a step in balls, one in doubles being 1.
 constexpr double ball_cost = 300;
 
+/// Products of coefficients times their bits that the quotients of the exact stage may take to make: some seconds.
+constexpr double most_exact_work = 0x1p28;
+
 /// A surface over S.
 template <class S, int D>
 struct Surface {
@@ -182,10 +185,11 @@ class WarpRun {
   /// The number of sub-intervals where each costs `factor` times as much as in doubles; the cost grows with the square
   /// of the degree of the quotient.
   long budget(double factor) const {
-    const int degree = D == 3 ? 8 * u_.degree() - 4 : 16 * u_.degree() - 8;
-    const double size = std::max(1.0, (degree + 1) / 21.0);
+    const double size = std::max(1.0, (quotient_degree() + 1) / 21.0);
     return std::max(1L, static_cast<long>(static_cast<double>(options_.intervals) / (factor * size * size)));
   }
+
+  int quotient_degree() const { return D == 3 ? 8 * u_.degree() - 4 : 16 * u_.degree() - 8; }
 
   template <class Q>
   std::vector<int> settle(std::vector<WarpPiece<Q>>& pieces, long budget) {
@@ -253,7 +257,7 @@ class WarpRun {
 
   std::vector<int> exact_stage(const std::vector<int>& pieces) {
     stage_ = WarpStage::exact;
-    if (static_cast<long>(pieces.size()) > budget(exact_cost())) return pieces;
+    if (static_cast<long>(pieces.size()) > budget(exact_cost()) || exact_work(pieces) > most_exact_work) return pieces;
     std::vector<SineForms<Rational>> forms;
     for (const int k : pieces) {
       const RulingForms<Rational> fractions = ruling_forms<Rational>(surface_->knots, surface_->c, surface_->d, k);
@@ -289,6 +293,31 @@ class WarpRun {
   bool attains_limit_only(const SineForms<Rational>& forms) const {
     const std::optional<Rational> value = limit_ ? exact_sine_squared(*limit_) : std::nullopt;
     return value && nowhere_above(forms, *value);
+  }
+
+  /// An estimate for the quotients of these pieces. The normals' product a x w x b x w, without its denominators, is as
+  /// long as four of the longest numerators with the denominators of both rows thrice, and as what the knots and
+  /// binomials add; the weights double the degree in the control points.
+  double exact_work(const std::vector<int>& pieces) const {
+    constexpr double bits_per_degree = 64;
+    const double products = std::pow(quotient_degree() + 1, 2);
+    double work = 0;
+    for (const int k : pieces) {
+      std::size_t numerator = 0;
+      std::size_t denominators = 0;
+      for (const auto* row : {&surface_->c, &surface_->d}) {
+        for (int i = k - 1; i < k + u_.degree(); ++i) {
+          for (int j = 0; j < D; ++j) {
+            const Rational& x = (*row)[static_cast<std::size_t>(i)][j];
+            numerator = std::max(numerator, x.numerator_bits());
+            denominators += x.denominator_bits();
+          }
+        }
+      }
+      const double bits = static_cast<double>(4 * numerator + 3 * denominators) + bits_per_degree * u_.degree();
+      work += (D - 2) * bits * products;
+    }
+    return work;
   }
 
   /// Longer numbers cost more.

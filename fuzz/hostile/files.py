@@ -7,6 +7,9 @@ words, FILE and OUT standing for names
 import json
 import os
 import re
+import sys
+
+sys.set_int_max_str_digits(0)
 
 
 def numbers(modulus, multiplier):
@@ -126,6 +129,14 @@ def nearly_cone():
     return ruled(3, uniform(3, 200), long_rail(200), near)
 
 
+def nearly_cone_of_fractions(length):
+    """The surface whose warp angle no number of fixed length tells from 0."""
+    surface = opposite(fraction_rail(length))
+    point = surface["d"]["points"][1]
+    point[0] = point[0][:-1] + ("2" if point[0][-1] == "1" else "1")
+    return surface
+
+
 def weighted(count, weight, degree=3):
     weights = [weight(i) for i in range(count)]
     return {**doubled(count, degree), "c": {"points": long_rail(count), "weights": weights},
@@ -170,6 +181,16 @@ def surfaces():
     yield "degree 100, 100000 points, not developable", lambda: ruled(100, uniform(100, most), long_rail(), stream_points(most, 5))
     yield "degree 30, 20000 points", lambda: doubled(20000, 30)
     yield "nearly a cone, 1e-3001", nearly_cone
+    for length in (1000, 10000, 35000):
+        yield "nearly a cone of fractions of %d digits" % length, lambda: nearly_cone_of_fractions(length)
+    for degree in (30, 50):
+        yield "degree %d, cone" % degree, lambda: ruled(degree, None, long_rail(degree + 1), scaled(long_rail(degree + 1), 2))
+    for length in (100, 300):
+        yield "degree 100, cone of fractions of %d digits" % length, lambda: opposite(fraction_rail(length, 101))
+    yield "degree 30, cone of fractions of 1000 digits", lambda: opposite(fraction_rail(1000, 31))
+    yield "degree 100, 120 points of 30 digits", lambda: {**opposite(fraction_rail(30, 120)), "degree": 100, "knots": uniform(100, 120)}
+    yield "degree 30, 300 points", lambda: doubled(300, 30)
+    yield "32000 points", lambda: doubled(32000)
     yield "knots from 1e-4000 to 1e4000", lambda: ruled(1, ["1e%d" % (4 * i - 4000) for i in range(2000)], long_rail(2000),
                                                         scaled(long_rail(2000), 2))
     yield "one point, 100000 times", lambda: ruled(3, u, points(most, lambda i, j: 1), points(most, lambda i, j: 1))

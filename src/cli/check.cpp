@@ -54,6 +54,17 @@ const CheckedFace& only_surface(const std::vector<CheckedFace>& faces) {
   return *std::ranges::find_if(faces, ruled);
 }
 
+/// What takes seconds to repair: control points of a rail times the degree.
+constexpr long most_repair = 30'000;
+
+/// Throws UsageError for a surface that is too large to repair. A developable one needs no search.
+void require_repairable(const CheckedFace& checked) {
+  const KnotList<Rational>& u = checked.face.surface->knots;
+  if (checked.judgement->developable() || (u.last() + 1L) * u.degree() <= most_repair) return;
+  throw UsageError(fmt::format("--repair: expected at most {} control points for degree {}, found {}",
+                               most_repair / u.degree(), u.degree(), u.last() + 1));
+}
+
 /// The report on all faces; `repaired` belongs to the only one that is ruled.
 std::string json_report(const std::vector<CheckedFace>& faces, const std::optional<RepairedSurface>& repaired) {
   Json surfaces = Json::array();
@@ -128,7 +139,11 @@ int run_check(const CheckOptions& options) {
   const int code = code_of(cases);
   std::optional<RepairedSurface> repaired;
   const bool repairs = !options.repair.empty() && code != exit_code::unusable;
-  if (repairs) repaired = repair_surface(*only_surface(faces).face.surface, options.repair);
+  if (repairs) {
+    const CheckedFace& only = only_surface(faces);
+    require_repairable(only);
+    repaired = repair_surface(*only.face.surface, options.repair);
+  }
   if (!options.use_stdout()) print_faces(faces, cases);
   if (repaired && !options.use_stdout()) {
     Terminal(stdout).print(printable(options.repair) + ": " + repair_text(*repaired) + '\n');

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "torse/cli/cad_faces.hpp"
+#include "torse/cli/effort.hpp"
 #include "torse/io/document.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
@@ -21,7 +23,9 @@ std::vector<Face> all_faces(const std::string& file) {
   std::string bytes = read_file(file);
   if (const std::optional<CadFormat> format = cad_format(file, bytes)) return cad_faces(file, *format, bytes);
   const Document document(file, std::move(bytes));
-  return {Face{.file = file, .name = name_of_file(file), .surface = read_ruled<Rational>(document)}};
+  RuledFile<Rational> surface = read_ruled<Rational>(document);
+  require_effort(file, surface);
+  return {Face{.file = file, .name = name_of_file(file), .surface = std::move(surface)}};
 }
 
 std::string listed(const std::vector<Face>& faces) {

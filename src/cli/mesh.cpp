@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace torse::cli {
 namespace {
 
 using Row = Vec<Rational, 4>;
+
+/// Pieces times (degree + 1)^3: what their Bezier points may cost, as much as most_mesh_strips cubic ones.
+constexpr double most_bezier_steps = 0x1p21;
 
 struct ExactPiece {
   std::vector<Row> c;
@@ -37,11 +41,21 @@ std::vector<Row> bezier_row(const KnotList<Rational>& u, std::span<const Row> ro
 }
 
 std::vector<ExactPiece> exact_pieces(const RuledFile<Rational>& surface) {
+  const std::vector<int> proper = surface.knots.proper_pieces();
+  if (proper.size() > most_mesh_strips) {
+    throw InvalidInput("tolerance", "needs more than " + std::to_string(most_mesh_strips) +
+                                        " strips, one for each of " + std::to_string(proper.size()) +
+                                        " pieces at least");
+  }
+  if (static_cast<double>(proper.size()) * std::pow(surface.knots.degree() + 1, 3) > most_bezier_steps) {
+    throw InvalidInput("knots", "make " + std::to_string(proper.size()) + " pieces: too many of degree " +
+                                    std::to_string(surface.knots.degree()) + " for a mesh");
+  }
   const std::vector<Row> p = homogeneous(surface.c);
   const std::vector<Row> q = homogeneous(surface.d);
   std::vector<ExactPiece> pieces;
   int before = 0;
-  for (int k : surface.knots.proper_pieces()) {
+  for (int k : proper) {
     // Between two pieces lie as many empty ones as the knot is repeated.
     const bool kink = before != 0 && k - before >= surface.knots.degree();
     pieces.push_back({bezier_row(surface.knots, p, k), bezier_row(surface.knots, q, k), kink});

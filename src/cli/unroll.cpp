@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/effort.hpp"
 #include "torse/cli/plate_files.hpp"
 #include "torse/cli/surface_report.hpp"
 #include "torse/cli/terminal.hpp"
@@ -34,6 +35,13 @@ constexpr double largest_size = 1e100;
 
 /// As many parts as a plate may be marked in, and as many pieces as it may consist of: each takes a ruling at least.
 constexpr int most_parts = 5'000;
+
+/// The time of a ruling grows with the square of the degree: so many rulings are allowed for each, up to most_parts
+/// + 1.
+constexpr int most_rulings_times_squares = 450'000;
+
+/// What the roots of the forms of all pieces may cost: effort_of the surface by degree^3 bits^2.
+constexpr double most_effort = 0x1p40;
 
 /// As many obstacles as a person reads.
 constexpr std::size_t most_obstacles = 6;
@@ -136,6 +144,24 @@ Angle limit_of(const std::string& text) {
   return angle;
 }
 
+/// Throws FileError for surfaces that would take too long.
+void require_short_work(const Face& face) {
+  if (const std::size_t pieces = face.surface->knots.proper_pieces().size(); pieces > most_parts) {
+    throw FileError(face.file, fmt::format("expected at most {} pieces to unroll, found {}", most_parts, pieces));
+  }
+  if (const double effort = effort_of(*face.surface, 3, 2); effort > most_effort) {
+    throw FileError(face.file,
+                    fmt::format("expected a surface of effort 2^40 at most to unroll, found 2^{:.1f}: degree "
+                                "{} with numbers of this length takes too long",
+                                std::log2(effort), face.surface->knots.degree()));
+  }
+}
+
+/// As many rulings as the development may take.
+std::size_t most_stations(int degree) {
+  return static_cast<std::size_t>(std::min(most_parts, most_rulings_times_squares / (degree * degree))) + 1;
+}
+
 std::string length_line(const char* name, const PlateRail& rail, const std::string& unit) {
   return fmt::format("  {}: length {:.12g} {}, drawn {:.12g}, difference of any part at most {:.3g}\n", name,
                      rail.before.lower(), unit, rail.after.lower(), rail.error);
@@ -190,8 +216,11 @@ int run_unroll(const UnrollOptions& options) {
   const Angle limit = limit_of(options.max_warp);
   const Face face = face_of(options.input);
   const LengthUnit unit = unit_of(options, face);
-  if (const std::size_t pieces = face.surface->knots.proper_pieces().size(); pieces > most_parts) {
-    throw FileError(face.file, fmt::format("expected at most {} pieces to unroll, found {}", most_parts, pieces));
+  require_short_work(face);
+  const std::size_t stations = most_stations(face.surface->knots.degree());
+  if (static_cast<std::size_t>(options.rulings) >= stations) {
+    throw UsageError(fmt::format("--rulings: expected at most {} for degree {}, found {}", stations - 1,
+                                 face.surface->knots.degree(), options.rulings));
   }
   const double tolerance = tolerance_of(options, size_of(face));
   const RuledFile<Rational>& surface = *face.surface;
@@ -214,7 +243,8 @@ int run_unroll(const UnrollOptions& options) {
   PlateSheet sheet{unroll_plate(strips, {.tolerance = tolerance,
                                          .marks = ruling_marks(surface.knots, strips, options.rulings),
                                          .warp_degrees = flatness.warp.upper(),
-                                         .mirrored = options.mirrored}),
+                                         .mirrored = options.mirrored,
+                                         .stations = stations}),
                    face,
                    std::move(flatness.judgement),
                    flatness.warp,

@@ -52,6 +52,20 @@ bool find_path(const Node& node, const Node* target, std::string& path) {
   return false;
 }
 
+/// The squares of the lengths of all numbers and strings: what their arithmetic may cost.
+constexpr double most_squares = 0x1p38;
+
+/// The node at which the sum exceeds that, if any.
+const Node* beyond(const Node& node, double& squares) {
+  const double length = static_cast<double>(node.text.size());
+  squares += length * length;
+  if (squares > most_squares) return &node;
+  for (const Node& item : node.items) {
+    if (const Node* found = beyond(item, squares)) return found;
+  }
+  return nullptr;
+}
+
 const Node* child(const Node& node, std::string_view place) {
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     if (step(node, i) == place) return &node.items[i];
@@ -78,7 +92,12 @@ FileError::FileError(std::string file, std::string place, std::size_t line, std:
       reason_(std::move(reason)) {}
 
 Document::Document(std::string file, std::string text)
-    : file_(std::move(file)), text_(std::move(text)), root_(parse_json(file_, text_)) {}
+    : file_(std::move(file)), text_(std::move(text)), root_(parse_json(file_, text_)) {
+  double squares = 0;
+  if (const Node* node = beyond(root_, squares)) {
+    throw error(node, "expected numbers whose lengths have squares that add up to at most 2^38, found more up to here");
+  }
+}
 
 Value Document::root() const { return Value(*this, root_); }
 

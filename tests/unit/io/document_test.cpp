@@ -108,6 +108,16 @@ TEST(Document, ExponentsAreLimitedTogether) {
       "f: line 1, column 90686: expected numbers whose exponents make at most 134217728 bits together, found more");
 }
 
+TEST(Document, TheSquaresOfLengthsAreLimitedTogether) {
+  EXPECT_EQ(error_of("[\"" + std::string(524'288, '1') + "\"]"), "no error");  // squared 2^38
+  EXPECT_EQ(error_of("[0, \"" + std::string(524'289, '1') + "\"]"),
+            "f: [1] (line 1, column 5): expected numbers whose lengths have squares that add up to at most 2^38, found "
+            "more up to here");
+  const std::string part = "\"" + std::string(370'000, '7') + "\"";
+  EXPECT_EQ(error_of("[" + part + ", " + part + "]"), "no error");
+  EXPECT_NE(error_of("[" + part + ", {\"a\": " + part + "}, " + part + "]").find("[2]"), std::string::npos);
+}
+
 TEST(Document, TypedAccessSaysWhatItFound) {
   const Document document("f", R"({"n": 1.5, "s": "text", "l": [1, 2], "o": {}, "z": null})");
   const Value root = document.root();

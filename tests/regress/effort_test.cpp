@@ -1,0 +1,128 @@
+// Surfaces that would take long: one clear error or an open answer, within seconds.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/program.hpp"
+
+namespace torse::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+/// So many digits without a pattern, by a linear congruence; the same for the same seed.
+std::string digits(int count, unsigned seed) {
+  std::string text = "1";
+  unsigned state = seed;
+  while (static_cast<int>(text.size()) < count) {
+    state = state * 1103515245U + 12345U;
+    text += static_cast<char>('0' + (state >> 16) % 10);
+  }
+  return text;
+}
+
+/// A Bezier patch; x(row, i, j) is coordinate j of point i of c (row 0) or d.
+template <class F>
+json patch(int degree, F x) {
+  json net{{"torse", 1}, {"type", "ruled"}, {"degree", degree}};
+  for (int row = 0; row < 2; ++row) {
+    json points = json::array();
+    for (int i = 0; i <= degree; ++i) points.push_back({x(row, i, 0), x(row, i, 1), x(row, i, 2)});
+    net[row == 0 ? "c" : "d"] = {{"points", points}};
+  }
+  return net;
+}
+
+/// Rows of fractions of so many digits, symmetric about the origin: a cone.
+json cone_of_fractions(int degree, int length) {
+  return patch(degree, [&](int row, int i, int j) {
+    const unsigned seed = static_cast<unsigned>(6 * i + 2 * j + 1);
+    return (row == 0 ? "" : "-") + digits(length, seed) + "/" + digits(length, seed + 1);
+  });
+}
+
+/// A cone over the points (i, i^2 mod 97, i^3 mod 89) with uniform integer knots.
+json long_cone(int degree, int count) {
+  json net = patch(count - 1, [](int row, int i, int j) {
+    const int x = j == 0 ? i : j == 1 ? i * i % 97 : i * i % 89 * i % 89;
+    return row == 0 ? x : 2 * x;
+  });
+  net["degree"] = degree;
+  for (int i = 0; i < count + degree - 1; ++i) net["knots"].push_back(i);
+  return net;
+}
+
+class Effort : public ::testing::Test {
+ public:
+  ProgramResult run(const json& net, const std::string& word, const std::vector<std::string>& options) const {
+    spill(scratch / "net.json", net.dump());
+    std::vector<std::string> words{word, (scratch / "net.json").string()};
+    words.insert(words.end(), options.begin(), options.end());
+    return run_program(words);
+  }
+
+  std::string out(const std::string& name) const { return (scratch / name).string(); }
+
+  Scratch scratch;
+};
+
+TEST_F(Effort, LongFractionsOfAHighDegreeAreRefused) {
+  const ProgramResult result = run(cone_of_fractions(60, 400), "check", {});
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.err, HasSubstr("expected a surface of effort 2^40 at most, found 2^41."));
+  EXPECT_THAT(result.err, HasSubstr("122 control points of degree 60"));
+  EXPECT_EQ(run(cone_of_fractions(60, 40), "check", {}).exit, 0);
+}
+
+/// A warp angle that neither doubles nor balls tell from 0, with numbers too long for rationals.
+TEST_F(Effort, ATinyWarpOfLongNumbersStaysOpen) {
+  json net = cone_of_fractions(3, 3000);
+  std::string& x = net["d"]["points"][1][0].get_ref<std::string&>();
+  x.back() = x.back() == '1' ? '2' : '1';
+  const ProgramResult result = run(net, "check", {"--max-warp", "0", "--json", out("r.json")});
+  EXPECT_EQ(result.exit, 3);
+  const json surface = json::parse(slurp(out("r.json")))["surfaces"][0];
+  EXPECT_EQ(surface["developable"], false);
+  EXPECT_EQ(surface["max_warp_deg"]["hi"], 90);
+}
+
+TEST_F(Effort, UnrollingAHighDegreeIsRefusedBeforeAnyWork) {
+  const ProgramResult result = run(long_cone(100, 101), "unroll", {"-o", out("plate.svg")});
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.err, HasSubstr("expected a surface of effort 2^40 at most to unroll, found 2^4"));
+  EXPECT_FALSE(std::filesystem::exists(out("plate.svg")));
+}
+
+TEST_F(Effort, ThereAreFewerRulingsForHighDegrees) {
+  const ProgramResult result = run(long_cone(20, 21), "unroll", {"-o", out("plate.svg"), "--rulings", "2000"});
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.err, HasSubstr("--rulings: expected at most 1125 for degree 20, found 2000"));
+}
+
+TEST_F(Effort, MeshesOfTooManyPiecesAreRefused) {
+  const ProgramResult many = run(long_cone(3, 40000), "convert", {"-o", out("net.obj")});
+  EXPECT_EQ(many.exit, 2);
+  EXPECT_THAT(many.err, HasSubstr("needs more than 32768 strips, one for each of 39997 pieces at least"));
+  const ProgramResult high = run(long_cone(30, 130), "convert", {"-o", out("net.obj")});
+  EXPECT_EQ(high.exit, 2);
+  EXPECT_THAT(high.err, HasSubstr("make 100 pieces: too many of degree 30 for a mesh"));
+  EXPECT_EQ(run(long_cone(30, 40), "convert", {"-o", out("net.obj")}).exit, 0);
+}
+
+TEST_F(Effort, OnlySmallSurfacesAreRepaired) {
+  json net = long_cone(3, 10001);
+  net["d"]["points"][5000][0] = 1;
+  const ProgramResult result = run(net, "check", {"--repair", out("repaired.json")});
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.err, HasSubstr("--repair: expected at most 10000 control points for degree 3, found 10001"));
+  EXPECT_FALSE(std::filesystem::exists(out("repaired.json")));
+  EXPECT_EQ(run(long_cone(3, 10001), "check", {"--repair", out("repaired.json")}).exit, 0);  // developable as it is
+}
+
+}  // namespace
+}  // namespace torse::testing
