@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -48,22 +48,88 @@ Q room_of(const Mapping<Q>& sigma, std::size_t j, int sign) {
   return room.sign() < 0 ? -room : room;
 }
 
-/// The crossing's coefficient: beyond `last`, with the largest product of its weight and its room.
-int chosen(const Mapping<Q>& sigma, const Form<Q>& weights, const Q& missing, int last) {
-  int best = -1;
-  Q best_score(-1);
-  for (const int sign : {0, missing.sign()}) {
-    for (const auto& [j, weight] : weights.terms()) {
-      if (j <= last) continue;
-      Q score = weight * room_of(sigma, static_cast<std::size_t>(j), sign);
-      if (best_score < score) {
-        best = j;
-        best_score = std::move(score);
-      }
-    }
-    if (best_score.sign() > 0) break;
+/// A coefficient that a crossing may change, and the logarithm of its weight times its room.
+struct Candidate {
+  int column;
+  long score;
+};
+
+/// The coefficients of a crossing. One with room on the side only that the value asks for is worse than others, one
+/// with none a last resort.
+std::vector<Candidate> candidates_of(const Mapping<Q>& sigma, const Form<Q>& weights, const Q& missing) {
+  constexpr long on_one_side = -100;
+  constexpr long nowhere = -100000;
+  std::vector<Candidate> list;
+  for (const auto& [j, weight] : weights.terms()) {
+    const std::size_t at = static_cast<std::size_t>(j);
+    const Q room = room_of(sigma, at, 0);
+    const Q ahead = room_of(sigma, at, missing.sign());
+    const long score = room.sign() > 0    ? exponent_of(weight * room)
+                       : ahead.sign() > 0 ? exponent_of(weight * ahead) + on_one_side
+                                          : nowhere;
+    list.push_back({j, score});
   }
-  return best;
+  return list;
+}
+
+/// One coefficient for each crossing, in increasing order, such that the product of weights and rooms is as large as it
+/// may be. There is a way, as each crossing has a knot of its own.
+std::vector<int> chosen(std::vector<std::vector<Candidate>> all) {
+  constexpr long no_way = std::numeric_limits<long>::min() / 2;
+  std::vector<std::vector<std::size_t>> before(all.size());  // the best way to each candidate
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (Candidate& candidate : all[i]) {
+      std::size_t best = 0;
+      long reached = i == 0 ? 0 : no_way;
+      for (std::size_t l = 0; i > 0 && l < all[i - 1].size(); ++l) {
+        const Candidate& previous = all[i - 1][l];
+        if (previous.column >= candidate.column || previous.score <= reached) continue;
+        best = l;
+        reached = previous.score;
+      }
+      candidate.score = reached == no_way ? no_way : candidate.score + reached;
+      before[i].push_back(best);
+    }
+  }
+  std::vector<int> columns(all.size());
+  std::size_t at = 0;
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (i + 1 == all.size()) {
+      at = static_cast<std::size_t>(std::ranges::max_element(all[i], {}, &Candidate::score) - all[i].begin());
+    }
+    columns[i] = all[i][at].column;
+    at = before[i][at];
+  }
+  return columns;
+}
+
+/// The changes x of these coefficients with sum_l weights_i(columns_l) x_l = missing_i. Elimination needs no pivots:
+/// the matrix is totally positive.
+std::vector<Q> solved(const std::vector<Form<Q>>& weights, const std::vector<int>& columns,
+                      const std::vector<Q>& missing) {
+  const int count = static_cast<int>(columns.size());
+  std::vector<Form<Q>> rows;  // generator l is x_l, the last one the constant -1
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    Form<Q> row;
+    for (int l = 0; l < count; ++l) {
+      add_scaled(row, weights[i].coefficient(columns[static_cast<std::size_t>(l)]), Form<Q>::generator(l));
+    }
+    add_scaled(row, missing[i], Form<Q>::generator(count));
+    for (std::size_t l = 0; l < i; ++l) {
+      const Q factor = row.coefficient(static_cast<int>(l));
+      add_scaled(row, -factor, rows[l]);
+    }
+    divide(row, row.coefficient(static_cast<int>(i)));
+    rows.push_back(std::move(row));
+  }
+  std::vector<Q> x(columns.size());
+  for (std::size_t i = columns.size(); i-- > 0;) {
+    x[i] = rows[i].extract(count);
+    for (const auto& [l, factor] : rows[i].terms()) {
+      if (l != static_cast<int>(i)) x[i] -= factor * x[static_cast<std::size_t>(l)];
+    }
+  }
+  return x;
 }
 
 }  // namespace
@@ -100,41 +166,20 @@ Form<Rational> weights_at(const KnotList<Rational>& u, const Rational& t) {
 }
 
 void fit_coefficients(Mapping<Rational>& sigma, const std::vector<Crossing>& crossings) {
-  const int count = static_cast<int>(crossings.size());
-  std::vector<int> columns;        // the coefficient of each crossing
-  std::vector<Form<Q>> equations;  // in their changes; generator `count` is the constant
   std::vector<Form<Q>> weights;
+  std::vector<Q> missing;
+  std::vector<std::vector<Candidate>> candidates;
   for (const Crossing& crossing : crossings) {
     weights.push_back(weights_at(sigma.knots, crossing.t));
-    Q missing = crossing.value;
-    for (const auto& [j, weight] : weights.back().terms())
-      missing -= weight * sigma.control[static_cast<std::size_t>(j)][0];
-    columns.push_back(chosen(sigma, weights.back(), missing, columns.empty() ? -1 : columns.back()));
-    Form<Q> equation;
-    add_scaled(equation, -missing, Form<Q>::generator(count));
-    equations.push_back(std::move(equation));
-  }
-  for (int i = 0; i < count; ++i) {
-    Form<Q>& equation = equations[static_cast<std::size_t>(i)];
-    for (int l = 0; l < count; ++l) {
-      const Q weight = weights[static_cast<std::size_t>(i)].coefficient(columns[static_cast<std::size_t>(l)]);
-      add_scaled(equation, weight, Form<Q>::generator(l));
+    missing.push_back(crossing.value);
+    for (const auto& [j, weight] : weights.back().terms()) {
+      missing.back() -= weight * sigma.control[static_cast<std::size_t>(j)][0];
     }
-    for (int l = 0; l < i; ++l) {
-      const Q factor = equation.coefficient(l);
-      add_scaled(equation, -factor, equations[static_cast<std::size_t>(l)]);
-    }
-    divide(equation, equation.coefficient(i));
+    candidates.push_back(candidates_of(sigma, weights.back(), missing.back()));
   }
-  std::vector<Q> changes(static_cast<std::size_t>(count) + 1, Q(0));
-  changes.back() = Q(1);
-  for (int i = count - 1; i >= 0; --i) {
-    Q& change = changes[static_cast<std::size_t>(i)];
-    for (const auto& [l, factor] : equations[static_cast<std::size_t>(i)].terms()) {
-      if (l != i) change -= factor * changes[static_cast<std::size_t>(l)];
-    }
-    sigma.control[static_cast<std::size_t>(columns[static_cast<std::size_t>(i)])][0] += change;
-  }
+  const std::vector<int> columns = chosen(std::move(candidates));
+  const std::vector<Q> changes = solved(weights, columns, missing);
+  for (std::size_t i = 0; i < columns.size(); ++i) sigma.control[static_cast<std::size_t>(columns[i])][0] += changes[i];
 }
 
 }  // namespace torse::quasi

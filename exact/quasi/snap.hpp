@@ -28,7 +28,8 @@ struct SnappedMapping {
 /// The change is at most `tolerance` times the length of the domain of C2. Within half of that, end values are taken to
 /// the ends and knots of C2. sigma comes back clamped, and else untouched where it passes no inner knot. Throws
 /// InvalidInput naming "sigma" for a mapping that decreases or leaves the domain of C2 by more than that, and
-/// "tolerance" unless it is positive; Undecided where nothing is found within the tolerance.
+/// "tolerance" unless it is positive; Undecided where nothing is found within the tolerance, as for a knot of C2 that
+/// is all but an end value of sigma.
 SnappedMapping snapped(const Mapping<Rational>& sigma, const KnotList<Rational>& of_c1, const KnotList<Rational>& of_c2,
                        const Rational& tolerance);
 

@@ -96,6 +96,14 @@ TEST(Snapped, KnotsThatArePassedNearAMarkAreTakenThere) {
   expect_snapped(sigma, uniform(3, 6), uniform(3, 12));
 }
 
+TEST(Snapped, TheLastKnotLeavesTheLevelEndAlone) {
+  // Three knots in a row share their coefficients; the last two coefficients are equal, so the last knot's may not
+  // grow.
+  const Mapping<Q> sigma = mapping_of(uniform(2, 1), {Q(0), ratio<Q>(247, 312), ratio<Q>(247, 312)});
+  const KnotList<Q> of_c2(1, {Q(0), ratio<Q>(1, 13), ratio<Q>(4, 13), ratio<Q>(8, 13), Q(1)});
+  expect_snapped(sigma, uniform(3, 1), of_c2);
+}
+
 TEST(Snapped, NothingToDo) {
   const Mapping<Q> sigma = drawn(uniform(2, 7), 9);
   const SnappedMapping result = snapped(sigma, uniform(3, 4), uniform(3, 1));
