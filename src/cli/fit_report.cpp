@@ -143,6 +143,26 @@ std::string folds_text(const FittedStrip& strip, const Terminal& terminal) {
   return text + (other ? fmt::format("; --regular: {:.6g} degrees\n", *strip.method.fit->by_sides) : "\n");
 }
 
+Json crossings_json(const SelfIntersection& crossings) {
+  Json json{{"crosses", crossings.crosses == Truth::unknown ? Json() : Json(crossings.crosses == Truth::yes)}};
+  if (const auto& at = crossings.witness) {
+    json["first"] = {{"u", at->first}, {"v", at->first_share}};
+    json["second"] = {{"u", at->second}, {"v", at->second_share}};
+    json["distance"] = at->distance;
+  }
+  return json;
+}
+
+std::string crossings_text(const FittedStrip& strip, const Terminal& terminal) {
+  const SelfIntersection& crossings = strip.crossings;
+  if (crossings.crosses == Truth::no) return "  certified: no two rulings cross\n";
+  if (crossings.crosses == Truth::unknown) {
+    return fmt::format("  {}: whether rulings cross\n", terminal.painted(Paint::doubtful, "undecided"));
+  }
+  return fmt::format("  {}: the rulings of u = {:.6g} and u = {:.6g}\n", terminal.painted(Paint::bad, "crosses itself"),
+                     crossings.witness->first, crossings.witness->second);
+}
+
 /// Six digits, and no less than that for small angles.
 std::string degrees_text(double x) { return fmt::format("{:.6g}", x); }
 
@@ -167,6 +187,7 @@ nlohmann::ordered_json fit_json(const FitTitle& title, const FittedStrip& strip)
   Json folds{{"folded", strip.folds.folded == Truth::unknown ? Json() : Json(strip.folds.folded == Truth::yes)}};
   if (strip.folds.witness) folds["at"] = strip.folds.witness->parameter.text();
   json["folds"] = folds;
+  json["self_intersection"] = crossings_json(strip.crossings);
   if (!strip.trims.empty()) {
     const auto line = [](const TrimLine& trim) { return Json{{"c", trim.c.text()}, {"d", trim.d.text()}}; };
     json["trim"] = {{"begin", line(strip.trims[0])}, {"end", line(strip.trims[1])}};
@@ -197,7 +218,7 @@ std::string fit_text(const FitTitle& title, const FittedStrip& strip, const Term
     text += fmt::format("  trim along the line from c({:.6g}) to d at the ruling of u = {:.6g}\n", trim.c.to_double(),
                         trim.d.to_double());
   }
-  text += folds_text(strip, terminal);
+  text += folds_text(strip, terminal) + crossings_text(strip, terminal);
   text += findings_text(strip);
   if (strip.method.paper)
     text += fmt::format("  L-BFGS: {} steps, {}\n", strip.method.paper->steps, strip.method.paper->stop);

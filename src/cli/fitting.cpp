@@ -190,11 +190,18 @@ void require_size(const RailsFile<Rational>& rails, const FitWishes& wishes) {
   }
 }
 
-FoldVerdict folds_of(const RuledFile<Rational>& surface) {
-  if (unit_weights(surface.c) && unit_weights(surface.d)) {
-    return decide_folds<3>(surface.knots, surface.c.points, surface.d.points);
+/// Folds and crossings of the exact surface.
+void certify_order(FittedStrip& strip) {
+  const KnotList<Rational>& u = strip.surface.knots;
+  const auto certify = [&]<int D>(const std::vector<Vec<Rational, D>>& c, const std::vector<Vec<Rational, D>>& d) {
+    strip.folds = decide_folds<D>(u, c, d);
+    strip.crossings = find_self_intersection<D>(u, c, d);
+  };
+  if (unit_weights(strip.surface.c) && unit_weights(strip.surface.d)) {
+    certify.operator()<3>(strip.surface.c.points, strip.surface.d.points);
+  } else {
+    certify.operator()<4>(homogeneous(strip.surface.c), homogeneous(strip.surface.d));
   }
-  return decide_folds<4>(surface.knots, homogeneous(surface.c), homogeneous(surface.d));
 }
 
 double degrees_of(const Angle& angle) { return angle.value.to_double() * (angle.radians ? 180 / std::numbers::pi : 1); }
@@ -241,6 +248,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .after = quasi::warp_statistics(unit, sigma, measured_rulings, range),
       .certified = {},
       .folds = {},
+      .crossings = {},
       .old_rulings = quasi::sampled_rulings(old, same_parameter(), drawn_rulings),
       .rulings = quasi::sampled_rulings(unit, sigma, drawn_rulings, range),
       .trims = std::move(trims),
@@ -248,7 +256,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .threshold = threshold,
       .findings = quasi::diagnose(unit, sigma, {.range = range, .threshold = threshold}),
   };
-  strip.folds = folds_of(strip.surface);
+  certify_order(strip);
   if (!judge(strip.surface).developable()) strip.certified = judge_warp(strip.surface, wishes.max_warp);
   return strip;
 }

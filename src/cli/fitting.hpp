@@ -15,6 +15,7 @@
 #include "torse/cli/warp.hpp"
 #include "torse/exact/quasi/folds.hpp"
 #include "torse/exact/quasi/monotony.hpp"
+#include "torse/exact/quasi/self_intersection.hpp"
 #include "torse/io/spline_file.hpp"
 #include "torse/quasi/diagnosis.hpp"
 #include "torse/quasi/fit.hpp"
@@ -62,6 +63,7 @@ struct FittedStrip {
   quasi::WarpStatistics after;                    ///< of the mapping, at other rulings than those of the fit
   std::optional<WarpVerdict> certified;           ///< none for a surface that is exactly developable
   FoldVerdict folds;                              ///< of the exact surface
+  SelfIntersection crossings;                     ///< of its rulings
   std::vector<quasi::SampledRuling> old_rulings;  ///< of T = t, for pictures: of size 1, parameters over [0, 1]
   std::vector<quasi::SampledRuling> rulings;      ///< of the mapping
   std::vector<TrimLine> trims;                    ///< of extended rails, at the begin and at the end

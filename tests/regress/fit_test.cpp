@@ -197,6 +197,20 @@ TEST_F(Fit, WritesWhatItsNameSays) {
 }
 
 /// The picture holds as many quadrangles as rulings but one for either strip, and all three diagrams.
+/// Two rails with a loop, one above the other: a monotone mapping does not keep the strip from crossing itself.
+TEST_F(Fit, FindsCrossingsAndFolds) {
+  const std::string loop = R"({"torse": 1, "type": "rails",
+    "c": {"degree": 3, "points": [[0,0,0],[3,2,0],[-2,2,0],[1,0,0]]}, "d": {"degree": 3, "points": [[0,0,1],[3,2,1],[-2,2,1],[1,0,1]]}})";
+  const json report = this->report(loop, {"--method", "same"});
+  EXPECT_EQ(report.at("mapping").at("monotone"), "strict");
+  EXPECT_EQ(report.at("self_intersection").at("crosses"), true);
+  EXPECT_EQ(report.at("folds").at("folded"), false);
+  EXPECT_THAT(run(loop, {"--method", "same"}).out, HasSubstr("crosses itself"));
+  const json plain = this->report(strip);
+  EXPECT_EQ(plain.at("self_intersection").at("crosses"), false);
+  EXPECT_EQ(plain.at("folds").at("folded"), false);
+}
+
 TEST_F(Fit, DrawsItself) {
   for (const char* method : {"warp", "paper"}) {
     const ProgramResult result = run(strip, {"--method", method, "--svg", file("picture.svg")});

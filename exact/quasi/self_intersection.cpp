@@ -1,0 +1,415 @@
+#include "torse/exact/quasi/self_intersection.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "torse/algebra/bernstein.hpp"
+#include "torse/algebra/determinant.hpp"
+#include "torse/developable/warp.hpp"
+#include "torse/exact/warp/quotient.hpp"
+#include "torse/scalar/builtin.hpp"
+#include "torse/spline/insertion.hpp"
+
+namespace torse {
+namespace {
+
+using Q = Rational;
+using Box = Vec<Interval, 3>;
+using Direction = Vec<double, 3>;
+
+/// Halvings of a piece of the knot list.
+constexpr int most_halvings = 30;
+
+/// As many pairs of neighbours are looked at without rounding.
+constexpr int most_exact = 60;
+
+/// A part of this share of a piece is small enough to look for a crossing by Newton's method.
+constexpr int promising_halvings = 6;
+
+double middle(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
+
+Direction middle(const Box& x) { return {middle(x[0]), middle(x[1]), middle(x[2])}; }
+
+Box as_box(const Direction& x) { return {Interval::point(x[0]), Interval::point(x[1]), Interval::point(x[2])}; }
+
+/// A row of Bernstein coefficients cut in the middle of its interval.
+template <class Row>
+std::pair<std::vector<Row>, std::vector<Row>> halves(std::vector<Row> row) {
+  const Interval half = Interval::point(0.5);
+  std::vector<Row> left{row.front()};
+  std::vector<Row> right{row.back()};
+  for (std::size_t size = row.size(); size > 1; --size) {
+    for (std::size_t i = 0; i + 1 < size; ++i) {
+      for (int k = 0; k < row[i].size(); ++k) row[i][k] = half * (row[i][k] + row[i + 1][k]);
+    }
+    left.push_back(row.front());
+    right.push_back(row[size - 2]);
+  }
+  std::ranges::reverse(right);
+  return {std::move(left), std::move(right)};
+}
+
+using Homogeneous = Vec<Interval, 4>;
+
+/// A part of the strip: control points and the directions of c', d - c and d', all by Bernstein coefficients.
+struct Part {
+  double begin;  ///< the number of the piece and the share of it
+  double end;
+  int halvings;
+  std::vector<Homogeneous> c;
+  std::vector<Homogeneous> d;
+  std::vector<Box> a;
+  std::vector<Box> w;
+  std::vector<Box> b;
+  const RulingForms<Q>* forms;  ///< of the whole piece, exactly
+  std::vector<Box> hull{};
+  std::array<std::unique_ptr<Part>, 2> halves{};
+
+  void close() {
+    for (const auto* row : {&c, &d}) {
+      for (const Homogeneous& x : *row) hull.push_back({x[1] / x[0], x[2] / x[0], x[3] / x[0]});
+    }
+  }
+};
+
+void split(Part& part) {
+  if (part.halves[0]) return;
+  auto [c0, c1] = halves(part.c);
+  auto [d0, d1] = halves(part.d);
+  auto [a0, a1] = halves(part.a);
+  auto [w0, w1] = halves(part.w);
+  auto [b0, b1] = halves(part.b);
+  const double middle = (part.begin + part.end) / 2;
+  part.halves[0] = std::make_unique<Part>(Part{part.begin, middle, part.halvings + 1, c0, d0, a0, w0, b0, part.forms});
+  part.halves[1] = std::make_unique<Part>(Part{middle, part.end, part.halvings + 1, c1, d1, a1, w1, b1, part.forms});
+  for (const auto& half : part.halves) half->close();
+}
+
+std::vector<Box> boxes_of(const FormVector<Q>& forms) {
+  std::vector<Box> boxes(static_cast<std::size_t>(forms[0].degree()) + 1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Bernstein<Q> f = Bernstein<Q>::from_form(forms[k]);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      boxes[i][static_cast<int>(k)] = enclosure(f[static_cast<int>(i)]);
+    }
+  }
+  return boxes;
+}
+
+template <int D>
+Homogeneous homogeneous_box(const Vec<Q, D>& x) {
+  Homogeneous row;
+  if constexpr (D == 3) row[0] = Interval(1);
+  for (int k = 0; k < D; ++k) row[k + 4 - D] = enclosure(x[k]);
+  return row;
+}
+
+template <int D>
+std::vector<Homogeneous> bezier_boxes(const KnotList<Q>& u, std::span<const Vec<Q, D>> row, int k) {
+  std::vector<Homogeneous> boxes;
+  for (const Vec<Q, D>& x : bezier_points(u, row, k)) boxes.push_back(homogeneous_box<D>(x));
+  return boxes;
+}
+
+Direction at_middle(const std::vector<Box>& row) {
+  Direction total(0, 0, 0);
+  for (const Box& x : row) total += middle(x);
+  return total / static_cast<double>(row.size());
+}
+
+/// The interval of the hull along a direction.
+Interval extent(const Part& part, const Direction& direction) {
+  const Box axis = as_box(direction);
+  Interval reach = dot(part.hull.front(), axis);
+  for (const Box& x : part.hull) {
+    const Interval here = dot(x, axis);
+    reach = Interval::hull(std::min(reach.lower(), here.lower()), std::max(reach.upper(), here.upper()));
+  }
+  return reach;
+}
+
+bool separated_along(const Part& x, const Part& y, const Direction& direction) {
+  if (!direction.allFinite()) return false;
+  const Interval first = extent(x, direction);
+  const Interval second = extent(y, direction);
+  return first.upper() < second.lower() || second.upper() < first.lower();
+}
+
+Direction normal_of(const Part& part) {
+  const Direction a = at_middle(part.a) + at_middle(part.b);
+  return a.cross(at_middle(part.w)).normalized();
+}
+
+bool separated(const Part& x, const Part& y) {
+  for (int k = 0; k < 3; ++k) {
+    if (separated_along(x, y, Direction::Unit(k))) return true;
+  }
+  const Direction normal = normal_of(x);
+  const Direction rulings = at_middle(x.w) + at_middle(y.w);
+  return separated_along(x, y, normal.cross(rulings)) || separated_along(x, y, normal) ||
+         separated_along(x, y, at_middle(x.a)) || separated_along(x, y, normal_of(y)) ||
+         separated_along(x, y, at_middle(y.hull) - at_middle(x.hull));
+}
+
+/// The Bernstein coefficients of the directions on a part.
+template <class S>
+struct Tangents {
+  std::vector<Vec<S, 3>> w;
+  std::vector<Vec<S, 3>> rails;  ///< those of a, then those of b
+};
+
+Tangents<Interval> rounded_tangents(const Part& part) {
+  Tangents<Interval> tangents{part.w, part.a};
+  tangents.rails.insert(tangents.rails.end(), part.b.begin(), part.b.end());
+  return tangents;
+}
+
+/// Three forms on a part of [0, 1], exactly.
+std::vector<Vec<Q, 3>> exact_row(const FormVector<Q>& forms, const Part& part) {
+  const double piece = std::floor((part.begin + part.end) / 2);
+  std::vector<Vec<Q, 3>> row(static_cast<std::size_t>(forms[0].degree()) + 1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Bernstein<Q> f = Bernstein<Q>::from_form(forms[k]);
+    double begin = piece;
+    for (double width = 1; begin != part.begin || begin + width != part.end; width /= 2) {
+      auto [left, right] = f.subdivide(ratio<Q>(1, 2));
+      const bool upper = part.begin >= begin + width / 2;
+      f = upper ? std::move(right) : std::move(left);
+      if (upper) begin += width / 2;
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) row[i][static_cast<int>(k)] = f[static_cast<int>(i)];
+  }
+  return row;
+}
+
+Tangents<Q> exact_tangents(const Part& part) {
+  Tangents<Q> tangents{exact_row(part.forms->w, part), exact_row(part.forms->a, part)};
+  const std::vector<Vec<Q, 3>> b = exact_row(part.forms->b, part);
+  tangents.rails.insert(tangents.rails.end(), b.begin(), b.end());
+  return tangents;
+}
+
+/// Whether all det(e, w_j, a_i), det(e, w_j, b_i) are at least 0 and not all 0; `no` for a product below 0, `unknown`
+/// where rounding hides a sign. With a . (e x w) they are minus the products of a with w x e.
+template <class S>
+Truth on_one_side(const std::vector<Tangents<S>>& parts, const Vec<S, 3>& e) {
+  Truth all = Truth::yes;
+  Truth none = Truth::yes;
+  for (const Tangents<S>& of : parts) {
+    for (const Vec<S, 3>& w : of.w) {
+      const Vec<S, 3> side = cross(w, e);
+      for (const Tangents<S>& other : parts) {
+        for (const Vec<S, 3>& tangent : other.rails) {
+          const S product = dot(side, tangent);
+          all = all & !less(product, from_int<S>(0));
+          none = none & is_zero(product);
+          if (all == Truth::no) return all;
+        }
+      }
+    }
+  }
+  return all & !none;
+}
+
+/// The direction e: the mean normal of both.
+Direction side_of(const Part& x, const Part& y) { return (normal_of(x) + normal_of(y)).normalized(); }
+
+/// Whether all rulings of one part, or of two neighbouring ones, leave each other to the same side.
+Truth in_order(const Part& x, const Part& y) {
+  const Direction e = side_of(x, y);
+  if (!e.allFinite()) return Truth::unknown;
+  return on_one_side<Interval>({rounded_tangents(x), rounded_tangents(y)}, as_box(e));
+}
+
+/// The same without rounding, for products that vanish: a rail along its ruling, or at rest.
+Truth in_order_exactly(const Part& x, const Part& y) {
+  const Direction e = side_of(x, y);
+  const Vec<Q, 3> axis(Q::from_double(e[0]), Q::from_double(e[1]), Q::from_double(e[2]));
+  return on_one_side<Q>({exact_tangents(x), exact_tangents(y)}, axis);
+}
+
+/// The surface in doubles, for Newton's method.
+class RoundedStrip {
+ public:
+  template <int D>
+  RoundedStrip(const KnotList<Q>& u, std::span<const Vec<Q, D>> c, std::span<const Vec<Q, D>> d) {
+    for (const int k : u.proper_pieces()) {
+      begins_.push_back(u.piece_begin(k).to_double());
+      lengths_.push_back(Q(u.piece_end(k) - u.piece_begin(k)).to_double());
+      c_.push_back(rounded<D>(bezier_points(u, c, k)));
+      d_.push_back(rounded<D>(bezier_points(u, d, k)));
+      for (const auto& row : c_.back()) size_ = std::max(size_, row.tail<3>().norm() / std::abs(row[0]));
+    }
+  }
+
+  /// Parameters are the number of a piece and the share of it.
+  std::optional<RulingCrossing> crossing_near(double s, double t) const {
+    Eigen::Vector4d x(s, 0.5, t, 0.5);
+    for (int step = 0; step < 30; ++step) {
+      const auto [first, by_s, by_v] = point(x[0], x[1]);
+      const auto [second, by_t, by_w] = point(x[2], x[3]);
+      const Direction gap = first - second;
+      if (!gap.allFinite()) return std::nullopt;
+      if (gap.norm() <= 1e-13 * size_) break;
+      Eigen::Matrix<double, 3, 4> jacobian;
+      jacobian << by_s, by_v, -by_t, -by_w;
+      x -= jacobian.completeOrthogonalDecomposition().solve(gap);
+    }
+    const double gap = (std::get<0>(point(x[0], x[1])) - std::get<0>(point(x[2], x[3]))).norm();
+    const double last = static_cast<double>(c_.size());
+    const bool inside =
+        x[0] >= 0 && x[0] <= last && x[2] >= 0 && x[2] <= last && x[1] >= 0 && x[1] <= 1 && x[3] >= 0 && x[3] <= 1;
+    if (!inside || !(gap <= 1e-12 * size_) || std::abs(x[0] - x[2]) < 1e-3) return std::nullopt;
+    return RulingCrossing{parameter(x[0]), x[1], parameter(x[2]), x[3], gap};
+  }
+
+ private:
+  using Rows = std::vector<Vec<double, 4>>;
+
+  template <int D>
+  static Rows rounded(const std::vector<Vec<Q, D>>& points) {
+    Rows rows;
+    for (const Vec<Q, D>& x : points) {
+      Vec<double, 4> row(1, 0, 0, 0);
+      for (int k = 0; k < D; ++k) row[k + 4 - D] = x[k].to_double();
+      rows.push_back(row);
+    }
+    return rows;
+  }
+
+  std::size_t piece(double s) const {
+    return static_cast<std::size_t>(std::clamp(s, 0.0, static_cast<double>(c_.size()) - 1));
+  }
+  double parameter(double s) const {
+    return begins_[piece(s)] + (s - static_cast<double>(piece(s))) * lengths_[piece(s)];
+  }
+
+  /// A point of a Bezier curve and its derivative by the share.
+  static std::pair<Direction, Direction> curve(Rows row, double share) {
+    Vec<double, 4> slope = Vec<double, 4>::Zero();
+    const double degree = static_cast<double>(row.size() - 1);
+    for (std::size_t size = row.size(); size > 1; --size) {
+      if (size == 2) slope = degree * (row[1] - row[0]);
+      for (std::size_t i = 0; i + 1 < size; ++i) row[i] = (1 - share) * row[i] + share * row[i + 1];
+    }
+    const Direction point = row[0].tail<3>() / row[0][0];
+    return {point, (slope.tail<3>() - slope[0] * point) / row[0][0]};
+  }
+
+  /// The surface's point and its derivatives by the parameter and along the ruling.
+  std::tuple<Direction, Direction, Direction> point(double s, double v) const {
+    const double share = s - static_cast<double>(piece(s));
+    const auto [c, by_c] = curve(c_[piece(s)], share);
+    const auto [d, by_d] = curve(d_[piece(s)], share);
+    return {(1 - v) * c + v * d, (1 - v) * by_c + v * by_d, d - c};
+  }
+
+  std::vector<double> begins_;
+  std::vector<double> lengths_;
+  std::vector<Rows> c_;
+  std::vector<Rows> d_;
+  double size_ = 0;
+};
+
+class Search {
+ public:
+  Search(std::vector<std::unique_ptr<Part>>& parts, bool closed, const RoundedStrip& strip, long most_pairs)
+      : last_(static_cast<double>(parts.size())), closed_(closed), strip_(strip), left_(most_pairs) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      for (std::size_t j = i; j < parts.size() && !witness_ && left_ > 0; ++j) look_at(*parts[i], *parts[j]);
+    }
+  }
+
+  SelfIntersection result() const {
+    if (witness_) return {Truth::yes, witness_};
+    return {decided_ && left_ > 0 ? Truth::no : Truth::unknown};
+  }
+
+ private:
+  bool neighbours(const Part& x, const Part& y) const {
+    return &x == &y || x.end == y.begin || (closed_ && x.begin == 0 && y.end == last_);
+  }
+
+  bool settled(const Part& x, const Part& y) {
+    const Truth rounded = in_order(x, y);
+    if (rounded != Truth::unknown || exact_left_ == 0) return rounded == Truth::yes;
+    --exact_left_;
+    return in_order_exactly(x, y) == Truth::yes;
+  }
+
+  void look_at(Part& x, Part& y) {
+    if (witness_ || --left_ <= 0) return;
+    if (neighbours(x, y) ? settled(x, y) : separated(x, y)) return;
+    if (x.halvings == most_halvings || y.halvings == most_halvings) {
+      decided_ = false;
+      return;
+    }
+    if (&x != &y && x.halvings == promising_halvings && y.halvings == promising_halvings) {
+      witness_ = strip_.crossing_near((x.begin + x.end) / 2, (y.begin + y.end) / 2);
+    }
+    if (&x == &y) {
+      split(x);
+      look_at(*x.halves[0], *x.halves[1]);
+      look_at(*x.halves[0], *x.halves[0]);
+      look_at(*x.halves[1], *x.halves[1]);
+      return;
+    }
+    Part& longer = x.end - x.begin >= y.end - y.begin ? x : y;
+    split(longer);
+    for (const auto& half : longer.halves) {
+      if (&longer == &x) {
+        look_at(*half, y);
+      } else {
+        look_at(x, *half);
+      }
+    }
+  }
+
+  double last_;
+  bool closed_;
+  const RoundedStrip& strip_;
+  long left_;
+  int exact_left_ = most_exact;
+  bool decided_ = true;
+  std::optional<RulingCrossing> witness_;
+};
+
+}  // namespace
+
+template <int D>
+SelfIntersection find_self_intersection(const KnotList<Q>& u, std::span<const Vec<Q, D>> c,
+                                        std::span<const Vec<Q, D>> d, long most_pairs) {
+  std::vector<std::unique_ptr<Part>> parts;
+  std::vector<std::unique_ptr<RulingForms<Q>>> all_forms;
+  for (const int k : u.proper_pieces()) {
+    all_forms.push_back(std::make_unique<RulingForms<Q>>(ruling_forms(u, c, d, k)));
+    const RulingForms<Q>& forms = *all_forms.back();
+    const double begin = static_cast<double>(parts.size());
+    parts.push_back(std::make_unique<Part>(Part{begin, begin + 1, 0, bezier_boxes<D>(u, c, k), bezier_boxes<D>(u, d, k),
+                                                boxes_of(forms.a), boxes_of(forms.w), boxes_of(forms.b), &forms}));
+    parts.back()->close();
+  }
+  const auto end_point = [&](std::span<const Vec<Q, D>> row, int k, const Q& t) {
+    Vec<Q, D> x = curve_point<Q, Vec<Q, D>>(u, row, k, t);
+    if constexpr (D == 4) divide(x, Q(x[0]));
+    return x;
+  };
+  const std::vector<int> pieces = u.proper_pieces();
+  const auto closes = [&](std::span<const Vec<Q, D>> row) {
+    return end_point(row, pieces.front(), u.domain_begin()) == end_point(row, pieces.back(), u.domain_end());
+  };
+  return Search(parts, closes(c) && closes(d), RoundedStrip(u, c, d), most_pairs).result();
+}
+
+template SelfIntersection find_self_intersection<3>(const KnotList<Q>&, std::span<const Vec<Q, 3>>,
+                                                    std::span<const Vec<Q, 3>>, long);
+template SelfIntersection find_self_intersection<4>(const KnotList<Q>&, std::span<const Vec<Q, 4>>,
+                                                    std::span<const Vec<Q, 4>>, long);
+
+}  // namespace torse

@@ -1,0 +1,103 @@
+// Crossing rulings: strips whose crossings are known by hand; witnesses against exact points of the surface.
+#include "torse/exact/quasi/self_intersection.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "torse/quasi/mapping.hpp"
+#include "torse/spline/blossom.hpp"
+
+namespace torse::test {
+namespace {
+
+using Q = Rational;
+using Point = Vec<Q, 3>;
+using Row = std::vector<Point>;
+
+Point point(int x, int y, int z) { return Point(Q(x), Q(y), Q(z)); }
+
+Row raised(const Row& row, const Q& height) {
+  Row up;
+  for (const Point& x : row) up.push_back(Point(x[0], x[1], x[2] + height));
+  return up;
+}
+
+Row looped() { return {point(0, 0, 0), point(3, 2, 0), point(-2, 2, 0), point(1, 0, 0)}; }
+
+Truth crosses(const KnotList<Q>& u, const Row& c, const Row& d) { return find_self_intersection<3>(u, c, d).crosses; }
+
+/// A point of the surface, by blossoms in exact arithmetic.
+Vec<double, 3> on_surface(const KnotList<Q>& u, const Row& c, const Row& d, double t, double v) {
+  const Q at = Q::from_double(t);
+  const Point x = curve_point<Q, Point>(u, c, piece_at(u, at), at);
+  const Point y = curve_point<Q, Point>(u, d, piece_at(u, at), at);
+  Vec<double, 3> result;
+  for (int k = 0; k < 3; ++k) result[k] = (1 - v) * x[k].to_double() + v * y[k].to_double();
+  return result;
+}
+
+void expect_witness(const KnotList<Q>& u, const Row& c, const Row& d) {
+  const SelfIntersection found = find_self_intersection<3>(u, c, d);
+  ASSERT_EQ(found.crosses, Truth::yes);
+  const RulingCrossing& at = *found.witness;
+  EXPECT_GT(std::abs(at.first - at.second), 1e-3);
+  for (const double share : {at.first_share, at.second_share}) {
+    EXPECT_GE(share, 0);
+    EXPECT_LE(share, 1);
+  }
+  const Vec<double, 3> gap =
+      on_surface(u, c, d, at.first, at.first_share) - on_surface(u, c, d, at.second, at.second_share);
+  EXPECT_LT(gap.norm(), 1e-11);
+}
+
+/// BZZ19's "guaranteed to have no self-intersections" is refuted by T = t over a curve with a loop.
+TEST(SelfIntersection, ALoopThatIsRaisedCrossesItself) {
+  expect_witness(bezier_knots<Q>(3), looped(), raised(looped(), Q(1)));
+}
+
+TEST(SelfIntersection, RailsAgainstEachOtherCross) {
+  const KnotList<Q> u = bezier_knots<Q>(1);
+  expect_witness(u, {point(0, 0, 0), point(1, 0, 0)}, {point(1, 1, 0), point(0, 1, 0)});
+}
+
+/// The loop lifted by more than the rulings are long.
+TEST(SelfIntersection, AHelixDoesNot) {
+  Row c = looped();
+  for (std::size_t i = 0; i < c.size(); ++i) c[i][2] = Q(static_cast<long>(i));
+  const KnotList<Q> u = bezier_knots<Q>(3);
+  EXPECT_EQ(crosses(u, c, raised(c, ratio<Q>(1, 10))), Truth::no);
+  expect_witness(u, c, raised(c, Q(4)));
+}
+
+TEST(SelfIntersection, PlanesConesAndClosedStripsDoNot) {
+  EXPECT_EQ(crosses(bezier_knots<Q>(1), {point(0, 0, 0), point(1, 0, 0)}, {point(0, 1, 0), point(1, 1, 0)}), Truth::no);
+  const Row tip(3, point(0, 0, 1));
+  EXPECT_EQ(crosses(bezier_knots<Q>(2), tip, {point(1, 0, 0), point(1, 1, 0), point(0, 1, 0)}), Truth::no);
+  const KnotList<Q> square(1, {Q(0), Q(1), Q(2), Q(3), Q(4)});
+  const Row base{point(0, 0, 0), point(1, 0, 0), point(1, 1, 0), point(0, 1, 0), point(0, 0, 0)};
+  EXPECT_EQ(crosses(square, base, raised(base, Q(1))), Truth::no);
+}
+
+/// A tube whose last wall goes through its first one.
+TEST(SelfIntersection, FarPartsThatMeetAreFound) {
+  const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3), Q(4)});
+  const Row base{point(0, 0, 0), point(2, 0, 0), point(2, 2, 0), point(1, 2, 0), point(1, -1, 0)};
+  expect_witness(u, base, raised(base, Q(1)));
+}
+
+TEST(SelfIntersection, ABudgetThatRunsOutIsUnknown) {
+  EXPECT_EQ(find_self_intersection<3>(bezier_knots<Q>(3), looped(), raised(looped(), Q(1)), 2).crosses, Truth::unknown);
+}
+
+/// A quarter of a cylinder in homogeneous rows.
+TEST(SelfIntersection, RationalStrips) {
+  using Row4 = std::vector<Vec<Q, 4>>;
+  const auto row = [](int w, int x, int y, int z) { return Vec<Q, 4>(Q(w), Q(x), Q(y), Q(z)); };
+  const Row4 c{row(1, 1, 0, 0), row(1, 1, 1, 0), row(2, 0, 2, 0)};
+  const Row4 d{row(1, 1, 0, 1), row(1, 1, 1, 1), row(2, 0, 2, 2)};
+  EXPECT_EQ(find_self_intersection<4>(bezier_knots<Q>(2), c, d).crosses, Truth::no);
+}
+
+}  // namespace
+}  // namespace torse::test
