@@ -42,5 +42,12 @@ TEST(Words, BoundsAreRoundedAwayFromTheEnclosure) {
   }
 }
 
+TEST(Words, NoBoundExceedsARightAngleAndNoPlaceIsInvented) {
+  WarpEnclosure warp;
+  warp.lower = 89.9999;
+  warp.upper = 90;
+  EXPECT_EQ(describe(warp), "the largest warp angle is between 89.9994 and 90 degrees");
+}
+
 }  // namespace
 }  // namespace torse
