@@ -24,6 +24,9 @@ constexpr double tightening = 16;
 constexpr double least_damping = 1e-12;
 constexpr int most_trials = 12;
 
+/// The last power of the losses of the maximum.
+constexpr double most_power = 64;
+
 /// Angles below this are rounding errors.
 constexpr double least_angle = 1e-15;
 
@@ -82,13 +85,12 @@ class Descender {
   }
 
   Descent run() {
-    Loss loss{options_.measure, options_.measure == Measure::mean ? best_ : std::max(best_, least_angle), 4};
+    Loss loss{options_.measure, options_.measure == Measure::mean ? best_ : std::max(best_, least_angle), 2};
     for (int stage = 0; stage < options_.stages && best_ > least_angle && loss.scale > least_angle; ++stage) {
       const double before = best_;
       descend_stage(loss);
       result_.converged = before - best_ <= enough * before && stage > 0;
-      const bool sharp = options_.measure != Measure::mean || loss.scale < 0.01 * best_;
-      if (result_.converged && sharp) break;
+      if (result_.converged && sharp(loss)) break;
       sharpen(loss, stage);
     }
     result_.converged = result_.converged || best_ <= least_angle;
@@ -113,12 +115,18 @@ class Descender {
     return std::isfinite(sum) ? sum : infinity;
   }
 
+  /// Whether the loss is as near to the measure as it gets, or as matters.
+  bool sharp(const Loss& loss) const {
+    if (options_.measure == Measure::mean) return loss.scale < 0.01 * best_;
+    return options_.measure == Measure::rms || loss.power >= most_power;
+  }
+
   void sharpen(Loss& loss, int stage) const {
     if (options_.measure == Measure::mean) {
       loss.scale = std::max(measure_of(angles_, Measure::mean) * std::pow(0.3, std::min(stage + 1, 6)), least_angle);
     } else if (options_.measure == Measure::max) {
       loss.scale = std::max(measure_of(angles_, Measure::max), least_angle);
-      loss.power = std::min(loss.power * 2, 64.0);
+      loss.power = std::min(loss.power * 2, most_power);
     }
   }
 

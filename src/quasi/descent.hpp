@@ -41,7 +41,7 @@ struct DescentOptions {
 /// Descends from beta, whose order and ends are those of the options.
 ///
 /// The measure is not smooth (mean) or not separable (max), so a sequence of smooth sums over the samples is minimised:
-/// sqrt(a^2 + delta^2) with delta -> 0 for the mean, a^2 for the mean square, (a / largest)^p with p = 4, 8, ... for
+/// sqrt(a^2 + delta^2) with delta -> 0 for the mean, a^2 for the mean square, (a / largest)^p with p = 2, 4, ... for
 /// the maximum. Each step minimises a quadratic model with the exact gradient, the exact second derivative of each
 /// sample where it is positive and a part of the Gauss-Newton term where it is not, damped after Levenberg and
 /// Marquardt. A step that does not lower the sum is not taken, so the result is never worse than beta.

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "rails.hpp"
 #include "torse/quasi/paper_fit.hpp"
 
 namespace torse::quasi {
@@ -42,6 +44,111 @@ TEST(Fit, FindsTheMappingOfDevelopableRails) {
   EXPECT_NEAR(mapping_value(fit.mapping, 0.5), 0.25, 1e-9);
   EXPECT_LT(warp_statistics(rails, fit.mapping, 997).max, 1e-9);
   EXPECT_GT(fit.initial, 1);
+}
+
+/// Cylinder, cone and tangent surface with the rail d and this mapping.
+std::vector<Rails> developable_rails(const Polynomial<Rational>& sigma) {
+  using test::hundredths;
+  const test::Polynomials d{hundredths({0, 100}), hundredths({0, 20, 70}), hundredths({10, 0, 10, 50})};
+  const test::Polynomials along = test::compose(d, sigma);
+  const test::Polynomials direction{hundredths({30}), hundredths({10}), hundredths({-50})};
+  const test::Polynomials apex{hundredths({30}), hundredths({40}), hundredths({300})};
+  const auto rails = [](const test::Polynomials& c, const test::Polynomials& e) {
+    return Rails{test::rail_of(c), test::rail_of(e)};
+  };
+  return {rails(test::plus(along, test::times(hundredths({100, 30}), direction)), d),
+          rails(test::plus(test::times(hundredths({50, 20}), along), test::times(hundredths({50, -20}), apex)), d),
+          rails(test::plus(along, test::times(hundredths({30, 20}), test::compose(test::derivative(d), sigma))),
+                test::plus(d, test::derivative(d)))};
+}
+
+TEST(Fit, MappingsOfTheSpaceComeOutToRounding) {
+  const auto expect_exact = [](const Polynomial<Rational>& sigma, int degree, int coefficients) {
+    for (const Rails& rails : developable_rails(sigma)) {
+      FitOptions options;
+      options.degree = degree;
+      options.coefficients = coefficients;
+      const Fit fit = fit_rails(rails, options);
+      EXPECT_LT(warp_statistics(rails, fit.mapping, 997).max, 1e-9) << degree << " " << coefficients;
+      for (const double t : {0.125, 0.5, 0.875}) {
+        EXPECT_NEAR(mapping_value(fit.mapping, t), sigma(ratio<Rational>(static_cast<int>(8 * t), 8)).to_double(),
+                    1e-9);
+      }
+    }
+  };
+  for (const auto& [degree, coefficients] : {std::pair{2, 3}, {2, 4}, {2, 50}, {3, 4}, {3, 20}, {4, 5}, {5, 30}}) {
+    expect_exact(test::hundredths({0, 0, 100}), degree, coefficients);
+    expect_exact(test::hundredths({0, 50, 50}), degree, coefficients);
+  }
+  for (const auto& [degree, coefficients] : {std::pair{3, 4}, {3, 50}, {5, 6}}) {
+    expect_exact(test::hundredths({0, 30, 120, -50}), degree, coefficients);
+  }
+}
+
+/// A tenth of what BZZ19 reports in section 5 for known mappings: 0.026 and 5.5e-4 degrees.
+TEST(Fit, OtherMappingsWithAHundredCoefficients) {
+  for (const std::vector<int>& sigma : {std::vector{0, 30, 120, -50}, {0, 200, -180, 80}, {0, 0, 0, 100}}) {
+    for (const Rails& rails : developable_rails(test::hundredths(sigma))) {
+      for (const bool adaptive : {false, true}) {
+        FitOptions options;
+        options.coefficients = 100;
+        options.adaptive = adaptive;
+        const WarpStatistics warp = warp_statistics(rails, fit_rails(rails, options).mapping, 1999);
+        EXPECT_LT(warp.max, 0.0026);
+        EXPECT_LT(warp.mean, 5.5e-5);
+      }
+    }
+  }
+}
+
+TEST(Fit, CoefficientsInOrderWithTheEndsAndTheNumberAskedFor) {
+  const test::ExactCurve upper = test::drawn_curve(bezier_knots<Rational>(4), true, 5);
+  std::vector<Vec<Rational, 4>> rows = upper.control;
+  for (Vec<Rational, 4>& row : rows) row[3] += Rational(2) * row[0];
+  const Rails rails{test::in_doubles(test::drawn_curve(bezier_knots<Rational>(3), false, 4)),
+                    test::in_doubles(test::ExactCurve(upper.knots, rows))};
+  for (int degree = 1; degree <= 5; ++degree) {
+    for (const int count : {degree + 1, degree + 2, 17, 200}) {
+      for (const Ends ends : {Ends::fixed, Ends::free}) {
+        FitOptions options;
+        options.degree = degree;
+        options.coefficients = count;
+        options.ends = ends;
+        const Fit fit = fit_rails(rails, options);
+        const std::vector<double> beta = coefficients(fit.mapping);
+        EXPECT_EQ(beta.size(), static_cast<std::size_t>(count));
+        EXPECT_EQ(fit.mapping.knots.degree(), degree);
+        EXPECT_TRUE(std::ranges::is_sorted(beta));
+        EXPECT_GE(beta.front(), 0);
+        EXPECT_LE(beta.back(), 1);
+        if (ends == Ends::fixed) {
+          EXPECT_EQ(beta.front(), 0);
+          EXPECT_EQ(beta.back(), 1);
+        }
+        EXPECT_LE(fit.value, fit.initial);
+        for (std::size_t i = 1; i < fit.curve.size(); ++i) EXPECT_LE(fit.curve[i].value, fit.curve[i - 1].value);
+      }
+    }
+  }
+}
+
+TEST(Fit, Errors) {
+  const auto place = [](int degree, int count) {
+    FitOptions options;
+    options.degree = degree;
+    options.coefficients = count;
+    try {
+      fit_rails(skew_rails(10), options);
+    } catch (const InvalidInput& error) {
+      return error.place();
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(place(0, 5), "degree");
+  EXPECT_EQ(place(11, 50), "degree");
+  EXPECT_EQ(place(3, 3), "coefficients");
+  EXPECT_EQ(place(2, 10001), "coefficients");
+  EXPECT_EQ(place(3, 4), "none");
 }
 
 TEST(Fit, NeverWorseThanTheSameParameter) {
