@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -135,7 +136,7 @@ Outcomes measure(const std::vector<Method>& methods, Ends ends) {
 struct Comparison {
   double warp_ratio = 0;  ///< geometric mean
   int better = 0;
-  int worse = 0;  ///< by more than 1 percent
+  int worse = 0;          ///< by more than 1 percent
   double seconds = 0;     ///< median
   double time_ratio = 0;  ///< median of the ratios
 };
@@ -158,7 +159,7 @@ Comparison compare(const std::vector<Outcome>& mine, const std::vector<Outcome>&
 
 /// One row for each method, compared with the first one.
 void print_table(const std::vector<Method>& methods, const Outcomes& outcomes) {
-  std::puts("| method | mean warp, ratio | better on | worse on | median time | ratio of times |");
+  std::puts("| method | mean warp, ratio | better on | worse on | median time | median ratio of times |");
   std::puts("|---|--:|--:|--:|--:|--:|");
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Comparison c = compare(outcomes[m], outcomes[0]);
@@ -190,6 +191,9 @@ void print_kinds(const std::vector<Method>& methods, const Outcomes& outcomes) {
 
 int main() {
   std::puts("## The most developable surface between two rails\n");
+  std::array<double, 1> load{};
+  getloadavg(load.data(), 1);
+  std::printf("Load %.1f. ", load[0]);
   std::printf("%d pairs of rails, mappings of degree %d with %d coefficients; mean warp over %zu rulings.\n", pairs,
               degree, coefficients, rulings);
   const std::vector<Method> contenders = methods();
@@ -200,10 +204,11 @@ int main() {
     print_kinds(contenders, outcomes);
     for (const std::size_t m : {std::size_t{2}, std::size_t{3}}) {
       const Comparison c = compare(outcomes[m], outcomes[0]);
-      const bool met = c.warp_ratio <= 0.85 && c.better >= 90 && c.worse == 0 && c.time_ratio <= 0.1;
+      const bool met = c.warp_ratio <= 0.85 && c.better >= 90 && c.worse == 0 &&
+                       c.seconds <= 0.1 * compare(outcomes[0], outcomes[0]).seconds;
       goal("Goal, " + contenders[m].name +
                ": ratio of the mean warp at most 0.85, better on 90, worse by more than 1 % " +
-               "on none, a tenth of the time",
+               "on none, a tenth of the median time",
            met);
     }
   }
