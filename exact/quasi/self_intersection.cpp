@@ -26,8 +26,9 @@ using Direction = Vec<double, 3>;
 /// Halvings of a piece of the knot list.
 constexpr int most_halvings = 30;
 
-/// As many pairs of neighbours are looked at without rounding.
-constexpr int most_exact = 60;
+/// As many pairs of neighbours are looked at without rounding, and one for so many pairs of the budget at most.
+constexpr long most_exact = 60;
+constexpr long pairs_per_exact = 300;
 
 /// A part of this share of a piece is small enough to look for a crossing by Newton's method.
 constexpr int promising_halvings = 6;
@@ -230,6 +231,7 @@ Truth in_order(const Part& x, const Part& y) {
 /// The same without rounding, for products that vanish: a rail along its ruling, or at rest.
 Truth in_order_exactly(const Part& x, const Part& y) {
   const Direction e = side_of(x, y);
+  if (!e.allFinite()) return Truth::unknown;
   const Vec<Q, 3> axis(Q::from_double(e[0]), Q::from_double(e[1]), Q::from_double(e[2]));
   return on_one_side<Q>({exact_tangents(x), exact_tangents(y)}, axis);
 }
@@ -320,7 +322,11 @@ class RoundedStrip {
 class Search {
  public:
   Search(std::vector<std::unique_ptr<Part>>& parts, bool closed, const RoundedStrip& strip, long most_pairs)
-      : last_(static_cast<double>(parts.size())), closed_(closed), strip_(strip), left_(most_pairs) {
+      : last_(static_cast<double>(parts.size())),
+        closed_(closed),
+        strip_(strip),
+        left_(most_pairs),
+        exact_left_(static_cast<int>(std::min(most_pairs / pairs_per_exact, most_exact))) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       for (std::size_t j = i; j < parts.size() && !witness_ && left_ > 0; ++j) look_at(*parts[i], *parts[j]);
     }
@@ -375,10 +381,16 @@ class Search {
   bool closed_;
   const RoundedStrip& strip_;
   long left_;
-  int exact_left_ = most_exact;
+  int exact_left_;
   bool decided_ = true;
   std::optional<RulingCrossing> witness_;
 };
+
+/// Fewer pairs for high degrees: a pair costs the square of the number of coefficients. `most_pairs` is for degree 6.
+long budget(int degree, long most_pairs) {
+  const double share = 7.0 / (degree + 1);
+  return static_cast<long>(static_cast<double>(most_pairs) * std::min(1.0, share * share));
+}
 
 }  // namespace
 
@@ -404,7 +416,7 @@ SelfIntersection find_self_intersection(const KnotList<Q>& u, std::span<const Ve
   const auto closes = [&](std::span<const Vec<Q, D>> row) {
     return end_point(row, pieces.front(), u.domain_begin()) == end_point(row, pieces.back(), u.domain_end());
   };
-  return Search(parts, closes(c) && closes(d), RoundedStrip(u, c, d), most_pairs).result();
+  return Search(parts, closes(c) && closes(d), RoundedStrip(u, c, d), budget(u.degree(), most_pairs)).result();
 }
 
 template SelfIntersection find_self_intersection<3>(const KnotList<Q>&, std::span<const Vec<Q, 3>>,

@@ -71,6 +71,7 @@ FitWishes wishes_of(const FitCommand& command) {
   constexpr std::array ends{std::pair{"fixed", quasi::Ends::fixed}, std::pair{"free", quasi::Ends::free},
                             std::pair{"extended", quasi::Ends::free}};
   FitWishes wishes;
+  wishes.file = command.input;
   wishes.method = choice("--method", command.method, methods);
   wishes.options = {.degree = command.degree,
                     .coefficients = command.coefficients,

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "torse/cli/effort.hpp"
 #include "torse/cli/judge.hpp"
 #include "torse/exact/quasi/snap.hpp"
 #include "torse/io/limits.hpp"
@@ -14,6 +15,9 @@
 
 namespace torse::cli {
 namespace {
+
+/// The degree of a surface: the numbers of an exact one grow with it, and with them the time of every exact decision.
+constexpr int most_degree = 40;
 
 using Row = Vec<Rational, 4>;
 using Curve = Spline<Rational, Row>;
@@ -177,9 +181,9 @@ void require_size(const RailsFile<Rational>& rails, const FitWishes& wishes) {
   const bool linear = wishes.method == FitMethod::discrete || wishes.method == FitMethod::same;
   const int mapping = linear ? 1 : wishes.options.degree;
   const int degree = std::max(rails.c.knots.degree(), rails.d.knots.degree() * mapping);
-  if (degree > limits::degree) {
+  if (degree > most_degree) {
     throw InvalidInput("d.degree", "a mapping of degree " + std::to_string(mapping) + " gives a surface of degree " +
-                                       std::to_string(degree) + ", expected at most " + std::to_string(limits::degree));
+                                       std::to_string(degree) + ", expected at most " + std::to_string(most_degree));
   }
   const std::size_t pieces = rails.c.knots.proper_pieces().size() + rails.d.knots.proper_pieces().size() +
                              static_cast<std::size_t>(wishes.options.coefficients);
@@ -256,6 +260,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .threshold = threshold,
       .findings = quasi::diagnose(unit, sigma, {.range = range, .threshold = threshold}),
   };
+  require_effort(wishes.file, strip.surface);
   certify_order(strip);
   if (!judge(strip.surface).developable()) strip.certified = judge_warp(strip.surface, wishes.max_warp);
   return strip;

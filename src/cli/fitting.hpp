@@ -27,6 +27,7 @@ namespace torse::cli {
 enum class FitMethod { warp, paper, discrete, same };
 
 struct FitWishes {
+  std::string file;  ///< for errors
   FitMethod method = FitMethod::warp;
   quasi::FitOptions options;
   std::optional<Angle> max_warp;

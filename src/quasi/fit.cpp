@@ -16,9 +16,16 @@ constexpr int grid_rows = 96;
 constexpr int least_columns = 24;
 constexpr int most_columns = 200;
 
-/// Samples for each piece of the mapping, and at least so many together.
-constexpr std::size_t samples_per_piece = 3;
 constexpr std::size_t least_samples = 100;
+
+/// A result is measured at so many times as many rulings, and the fit repeated with `finer` times as many samples where
+/// the measure exceeds that at the samples by this factor.
+constexpr std::size_t between = 8;
+constexpr double missed = 1.1;
+constexpr int finer = 4;
+
+/// Measures below this, in degrees, differ by rounding.
+constexpr double rounding = 1e-9;
 
 /// What a strip may cost that does not fold over, as a factor of the measure.
 constexpr double next_to_nothing = 1.005;
@@ -118,9 +125,7 @@ class Fitter {
   }
 
  private:
-  std::vector<double> sample_parameters() const {
-    return midpoints(fit_samples(options_.degree, options_.coefficients));
-  }
+  std::vector<double> sample_parameters() const { return midpoints(fit_samples(options_)); }
 
   DescentOptions descent_options() const {
     DescentOptions descent;
@@ -238,15 +243,32 @@ class Fitter {
   double value_ = 0;
 };
 
-bool folds(const Rails& rails, const Mapping<double>& sigma) {
-  return warp_statistics(rails, sigma, fit_samples(sigma.knots.degree(), sigma.knots.last() + 1)).folded > 0;
+/// The measure by an angle, degrees, at `times` as many rulings as a fit samples.
+double measure_at(const Rails& rails, const Mapping<double>& sigma, const FitOptions& options, AngleKind kind,
+                  std::size_t times) {
+  const Sampling samples(rails.c, sigma.knots, midpoints(times * fit_samples(options)));
+  const DescentOptions descent{.measure = options.measure, .kind = kind};
+  return measured(rails.d, samples, coefficients(sigma), descent) * degrees;
 }
 
-/// The measure by the angle of planes, degrees, at the samples of a fit.
-double measure_by_planes(const Rails& rails, const Mapping<double>& sigma, const FitOptions& options) {
-  const Sampling samples(rails.c, sigma.knots, midpoints(fit_samples(options.degree, options.coefficients)));
-  const DescentOptions descent{.measure = options.measure};
-  return measured(rails.d, samples, coefficients(sigma), descent) * degrees;
+/// A fit by the angle of planes, or by that of sides if the strip would fold over and this costs next to nothing.
+Fit fit_without_folds(const Rails& rails, const FitOptions& options) {
+  Fit fit = Fitter(rails, options).run();
+  if (options.kind == AngleKind::sides || warp_statistics(rails, fit.mapping, fit_samples(options)).folded == 0) {
+    return fit;
+  }
+  FitOptions by_sides = options;
+  by_sides.kind = AngleKind::sides;
+  Fit other = Fitter(rails, by_sides).run();
+  const double value = measure_at(rails, other.mapping, options, AngleKind::planes, 1);
+  const double seconds = fit.seconds + other.seconds;
+  if (value < next_to_nothing * fit.value) {
+    other.value = value;
+    fit = std::move(other);
+  }
+  fit.by_sides = value;
+  fit.seconds = seconds;
+  return fit;
 }
 
 void require(const FitOptions& options) {
@@ -261,8 +283,9 @@ void require(const FitOptions& options) {
 
 }  // namespace
 
-std::size_t fit_samples(int degree, int coefficients) {
-  return std::max(least_samples, samples_per_piece * static_cast<std::size_t>(coefficients - degree));
+std::size_t fit_samples(const FitOptions& options) {
+  return std::max(least_samples, static_cast<std::size_t>(options.samples_per_piece) *
+                                     static_cast<std::size_t>(options.coefficients - options.degree));
 }
 
 KnotList<double> mapping_knots(int degree, const std::vector<double>& breaks) {
@@ -274,20 +297,26 @@ KnotList<double> mapping_knots(int degree, const std::vector<double>& breaks) {
 
 Fit fit_rails(const Rails& rails, const FitOptions& options) {
   require(options);
-  Fit fit = Fitter(rails, options).run();
-  if (options.kind == AngleKind::sides || !folds(rails, fit.mapping)) return fit;
-  FitOptions by_sides = options;
-  by_sides.kind = AngleKind::sides;
-  Fit other = Fitter(rails, by_sides).run();
-  const double value = measure_by_planes(rails, other.mapping, options);
-  const double seconds = fit.seconds + other.seconds;
-  if (value < next_to_nothing * fit.value) {
-    other.initial = fit.initial;
-    other.value = value;
-    fit = std::move(other);
+  const auto value_of = [&](const Mapping<double>& sigma) {
+    return measure_at(rails, sigma, options, options.kind, between);
+  };
+  Fit fit = fit_without_folds(rails, options);
+  const double sampled = fit.value;
+  fit.value = value_of(fit.mapping);
+  fit.initial = value_of(identity_mapping(fit.mapping.knots));
+  if (fit.value <= missed * sampled + rounding && fit.value <= fit.initial) return fit;
+
+  FitOptions fine = options;
+  fine.samples_per_piece *= finer;
+  Fit other = fit_without_folds(rails, fine);
+  other.value = value_of(other.mapping);
+  other.initial = fit.initial;
+  other.seconds += fit.seconds;
+  if (other.value < fit.value) fit = std::move(other);
+  if (fit.value > fit.initial) {
+    fit.mapping = identity_mapping(fit.mapping.knots);
+    fit.value = fit.initial;
   }
-  fit.by_sides = value;
-  fit.seconds = seconds;
   return fit;
 }
 

@@ -18,7 +18,8 @@ struct FitOptions {
   Measure measure = Measure::mean;
   AngleKind kind = AngleKind::planes;
   Ends ends = Ends::fixed;
-  bool adaptive = true;  ///< move the mapping's knots to where the warp is; otherwise they are evenly spaced
+  bool adaptive = true;       ///< move the mapping's knots to where the warp is; otherwise they are evenly spaced
+  int samples_per_piece = 3;  ///< of the mapping, and at least 100 together
 };
 
 /// One descent of a fit.
@@ -37,10 +38,11 @@ struct FitStep {
   double seconds;  ///< since the start of the fit
 };
 
-/// The result of a fit. It is never worse than T = t, by the measure at the samples.
+/// The result of a fit. It is never worse than T = t, by the measure at eight times as many rulings as the fit looks
+/// at.
 struct Fit {
   Mapping<double> mapping;
-  double value = 0;    ///< the measure at the samples, degrees
+  double value = 0;    ///< that measure, degrees
   double initial = 0;  ///< that of T = t
   std::vector<FitStage> stages{};
   std::vector<FitStep> curve{};
@@ -49,15 +51,16 @@ struct Fit {
   std::optional<double> by_sides{};
 };
 
-/// The rulings at which a fit samples a mapping with so many coefficients.
-std::size_t fit_samples(int degree, int coefficients);
+/// The number of rulings at which a fit samples a mapping.
+std::size_t fit_samples(const FitOptions& options);
 
 /// Clamped knots of a mapping over [0, 1] with these ends of pieces.
 KnotList<double> mapping_knots(int degree, const std::vector<double>& breaks);
 
 /// Fits: the best path through a grid of rulings, a descent from there, shifts of its steep places, and, if wanted, a
 /// descent over better knots. By the angle of planes a strip may fold over; then it is fitted by that of sides too, and
-/// that is the result if it costs next to nothing. Throws InvalidInput naming "degree" or "coefficients".
+/// that is the result if it costs next to nothing. Where the measure between the samples turns out worse, the fit is
+/// repeated with four times as many. Throws InvalidInput naming "degree" or "coefficients".
 Fit fit_rails(const Rails& rails, const FitOptions& options = {});
 
 }  // namespace torse::quasi

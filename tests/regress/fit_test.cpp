@@ -36,6 +36,22 @@ const std::string skew = R"({"torse": 1, "type": "rails",
 const std::string point = R"({"torse": 1, "type": "rails",
   "c": {"degree": 1, "points": [[1,2,3],[1,2,3]]}, "d": {"degree": 1, "points": [[1,2,3],[1,2,3]]}})";
 
+/// Rails that are hard in one way each, and whether they can be fitted.
+const std::string smooth = R"("degree": 3, "points": [["0.2",1.5,0.1],[1,1.9,0.6],[2,1.3,-0.1],[4.1,1.4,0.4]]})";
+const std::vector<std::pair<const char*, std::string>> hard{
+    {"cusp", R"({"degree": 3, "points": [[0,0,0],[3,2,0],[-1,2,0],[2,0,0.3]]})"},
+    {"stationary", R"({"degree": 3, "points": [[0,0,0],[0,0,0],[0,0,0],[3,1,0]]})"},
+    {"straight, slow", R"({"degree": 3, "points": [[0,0,0],[0.001,0,0],[0.002,0,0],[3,0,0]]})"},
+    {"same ends", R"({"degree": 3, "points": [[0.2,1.5,0.1],[1,0,0],[2,0,0],[4.1,1.4,0.4]]})"},
+    {"kinks", R"({"degree": 1, "knots": [0,1,2,2.5], "points": [[0,0,0],[1,0,0.5],[2,0,0],[2,-1,0]]})"},
+    {"far away", R"({"degree": 3, "points": [["1e9",0,0],["1e9",0.4,0.2],["1e9",-0.2,0.5],["1e9",0.3,0.1]]})"},
+    {"beyond doubles", R"({"degree": 1, "points": [["-1e400",0,0],["1e400",1,0]]})"},
+    {"weights of both signs",
+     R"({"degree": 3, "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1]], "weights": [1,-1,2,1]})"},
+    {"knots nearer than doubles tell",
+     R"({"degree": 2, "knots": [0,0,"1e-30",1,1], "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1]]})"},
+};
+
 class Fit : public ::testing::Test {
  public:
   std::string file(const std::string& name, const std::string& text = "") const {
@@ -132,7 +148,7 @@ TEST_F(Fit, TheExamplesAreFitted) {
     SCOPED_TRACE(entry.path().filename());
     const bool known = entry.path().filename().string().starts_with("known");
     const json report =
-        this->report(slurp(entry.path()), {"--degree", known ? "3" : "2", "--coefficients", known ? "4" : "50"});
+        this->report(slurp(entry.path()), {"--degree", known ? "3" : "2", "--coefficients", known ? "4" : "20"});
     const double after = report.at("after").at("mean_deg");
     EXPECT_LT(after, known ? 1e-9 : report.at("before").at("mean_deg").get<double>());
     EXPECT_LT(report.at("max_warp_deg").at("hi").get<double>(), known ? 1e-9 : 90);
@@ -227,6 +243,24 @@ TEST_F(Fit, DrawsItself) {
   }
 }
 
+TEST_F(Fit, HardRailsGiveACertifiedSurfaceNoWorseThanTheSameParameter) {
+  for (const auto& [name, curve] : hard) {
+    SCOPED_TRACE(name);
+    for (const bool first : {true, false}) {
+      const std::string other = "{" + smooth;
+      const json report = this->report(R"({"torse": 1, "type": "rails", "c": )" + (first ? curve : other) +
+                                           R"(, "d": )" + (first ? other : curve) + "}",
+                                       {"--coefficients", "12"});
+      const double before = report.at("before").at("mean_deg");
+      const double after = report.at("after").at("mean_deg");
+      EXPECT_LE(after, before * 1.001 + 1e-9);
+      EXPECT_LE(report.at("max_warp_deg").at("lo"), report.at("max_warp_deg").at("hi"));
+      EXPECT_LE(report.at("max_warp_deg").at("hi"), 90);
+      EXPECT_EQ(run_program({"check", file("out.json"), "--json", file("check.json")}).exit, 1);
+    }
+  }
+}
+
 TEST_F(Fit, RefusesAndWritesNothing) {
   const auto refused = [&](const std::string& text, const std::vector<std::string>& options, const std::string& words) {
     const ProgramResult result = run(text, options);
@@ -237,6 +271,12 @@ TEST_F(Fit, RefusesAndWritesNothing) {
   refused(point, {}, "expected rails, found one point");
   refused(strip, {"--method", "best"}, "--method: expected warp, paper, discrete, same, found \"best\"");
   refused(strip, {"--degree", "4", "--coefficients", "4"}, "--coefficients: expected at least 5 for degree 4, found 4");
+  json high{{"torse", 1}, {"type", "rails"}};
+  for (const char* rail : {"c", "d"}) {
+    high[rail] = {{"degree", 21}, {"points", json::array()}};
+    for (int i = 0; i <= 21; ++i) high[rail]["points"].push_back({i, i * i, rail[0] - 'c'});
+  }
+  refused(high.dump(), {}, "a mapping of degree 2 gives a surface of degree 42, expected at most 40");
   refused(R"({"torse": 1, "type": "ruled"})", {}, "\"rails\"");
   refused(strip, {"--ends", "extended", "--extend", "0"}, "--extend: expected a share above 0 and at most 1, found 0");
   refused(strip, {"-o", file("out.xyz")}, ".xyz");
