@@ -108,7 +108,7 @@ TEST(Fit, CoefficientsInOrderWithTheEndsAndTheNumberAskedFor) {
   const Rails rails{test::in_doubles(test::drawn_curve(bezier_knots<Rational>(3), false, 4)),
                     test::in_doubles(test::ExactCurve(upper.knots, rows))};
   for (int degree = 1; degree <= 5; ++degree) {
-    for (const int count : {degree + 1, degree + 2, 17, 200}) {
+    for (const int count : {degree + 1, 17, degree == 2 ? 200 : 30}) {
       for (const Ends ends : {Ends::fixed, Ends::free}) {
         FitOptions options;
         options.degree = degree;
