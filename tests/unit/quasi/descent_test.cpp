@@ -148,8 +148,8 @@ TEST(Descent, OneUnknownAgainstAScan) {
       DescentOptions options;
       options.measure = measure;
       double least = 10;
-      for (int i = 0; i <= 1000; ++i) {
-        least = std::min(least, measured(rails.d, samples, std::vector<double>{0, i / 1000.0, 1}, options));
+      for (int i = 0; i <= 200; ++i) {
+        least = std::min(least, measured(rails.d, samples, std::vector<double>{0, i / 200.0, 1}, options));
       }
       const Descent descent = descend(rails.d, samples, {0, 0.8, 1}, options);
       const double slack = measure == Measure::max ? std::pow(40, 1.0 / 64) : 1.001;
