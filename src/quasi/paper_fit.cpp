@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "torse/quasi/energy.hpp"
+#include "torse/quasi/condition.hpp"
 #include "torse/quasi/sampling.hpp"
 
 namespace torse::quasi {
@@ -73,15 +73,16 @@ class Objective {
       const RailJet& c = samples_.jet(r);
       const RailJet d = rails_.d(samples_.value(beta, r));
       const Vector normal = x.segment<3>(normal_at(r));
-      const NormalEnergy<double> energy = normal_energy<double>(normal, c.point, c.first, d.point, d.first);
-      total += options_.energy_weight * energy.value() + options_.normal_weight * unit_penalty<double>(normal);
+      const Vector ruling = c.point - d.point;
+      const NormalProducts<double> products = normal_products<double>(normal, ruling, c.first, d.first);
+      total += options_.energy_weight * normal_residual<double>(products) +
+               options_.normal_weight * unit_penalty<double>(normal);
       gradient.segment<3>(normal_at(r)) =
           2 * options_.energy_weight *
-              (energy.with_first * c.first + energy.with_second * d.first + energy.with_ruling * (c.point - d.point)) +
+              (products.with_a * c.first + products.with_b * d.first + products.with_w * ruling) +
           4 * options_.normal_weight * (normal.squaredNorm() - 1) * normal;
       const double by_parameter =
-          2 * options_.energy_weight *
-          (energy.with_second * normal.dot(d.second) - energy.with_ruling * normal.dot(d.first));
+          2 * options_.energy_weight * (products.with_b * normal.dot(d.second) - products.with_w * normal.dot(d.first));
       const std::span<const double> basis = samples_.basis(r);
       for (std::size_t i = 0; i < basis.size(); ++i) by_beta[samples_.first(r) + i] += by_parameter * basis[i];
     }

@@ -10,7 +10,7 @@
 
 #include "../spline/splines.hpp"
 #include "rails.hpp"
-#include "torse/quasi/energy.hpp"
+#include "torse/quasi/condition.hpp"
 #include "torse/quasi/fit.hpp"
 
 namespace torse::quasi {
@@ -25,13 +25,13 @@ Point point(int x, int y, int z) { return {Q(x), Q(y), Q(z)}; }
 TEST(Energy, ValuesByHand) {
   // Rulings from (0, 0, 0) with the tangent (1, 0, 0) to (0, 0, 2) with (0, 3, 0).
   const Point c = point(0, 0, 0), c1 = point(1, 0, 0), d = point(0, 0, 2), d1 = point(0, 3, 0);
-  EXPECT_EQ(developability<Q>(c, c1, d, d1), Q(-6));
-  EXPECT_EQ(developability<Q>(c, c1, d, point(5, 0, 7)), Q(0));
-  const NormalEnergy<Q> energy = normal_energy<Q>(point(1, 2, 3), c, c1, d, d1);
-  EXPECT_EQ(energy.with_first, Q(1));
-  EXPECT_EQ(energy.with_second, Q(6));
-  EXPECT_EQ(energy.with_ruling, Q(-6));
-  EXPECT_EQ(energy.value(), Q(73));
+  EXPECT_EQ(ruling_determinant<Q>(difference(c, d), c1, d1), Q(-6));
+  EXPECT_EQ(ruling_determinant<Q>(difference(c, d), c1, point(5, 0, 7)), Q(0));
+  const NormalProducts<Q> energy = normal_products<Q>(point(1, 2, 3), difference(c, d), c1, d1);
+  EXPECT_EQ(energy.with_a, Q(1));
+  EXPECT_EQ(energy.with_b, Q(6));
+  EXPECT_EQ(energy.with_w, Q(-6));
+  EXPECT_EQ(normal_residual<Q>(energy), Q(73));
   EXPECT_EQ(unit_penalty<Q>(point(1, 2, 3)), Q(169));
   EXPECT_EQ(unit_penalty<Q>(point(0, -1, 0)), Q(0));
 }
@@ -46,9 +46,9 @@ TEST(Energy, OfNormalsIsTheSquareOfTheDeterminant) {
   for (int trial = 0; trial < 30; ++trial) {
     const Point c = draw(), c1 = draw(), d = draw(), d1 = draw();
     const Point ruling = difference(c, d);
-    const Q determinant = developability<Q>(c, c1, d, d1);
+    const Q determinant = ruling_determinant<Q>(difference(c, d), c1, d1);
     for (const Point& normal : {cross(c1, d1), cross(ruling, c1), cross(d1, ruling)}) {
-      EXPECT_EQ(normal_energy<Q>(normal, c, c1, d, d1).value(), determinant * determinant);
+      EXPECT_EQ(normal_residual<Q>(normal, difference(c, d), c1, d1), determinant * determinant);
     }
   }
 }
