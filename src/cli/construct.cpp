@@ -7,6 +7,7 @@
 
 #include "torse/cli/command.hpp"
 #include "torse/cli/construct_methods.hpp"
+#include "torse/cli/effort.hpp"
 #include "torse/cli/judge.hpp"
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
@@ -60,6 +61,7 @@ int run_construct(const ConstructOptions& options) {
   const Terminal terminal(options.output == "-" ? stderr : stdout);
   try {
     const Construction result = run_method(options);
+    require_effort(options.input, result.surface, "a result");
     const Judgement judgement = judge(result.surface);
     for (const std::string& note : result.notes) terminal.print(note + '\n');
     if (!judgement.developable()) {

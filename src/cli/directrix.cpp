@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "torse/cli/construct_methods.hpp"
+#include "torse/cli/effort.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/developable/directrix.hpp"
 #include "torse/exact/decide/words.hpp"
@@ -78,6 +79,7 @@ std::string class_note(const ConstructFile<Q>& input, const std::vector<Point3>&
 Construction directrix(const ConstructFile<Rational>& input) {
   const DirectrixEquation<Q> equation{Bernstein<Q>(input.a), Bernstein<Q>(input.b)};
   if (input.d0 && input.v) throw InvalidInput("v", "expected \"d0\" or \"v\", found both");
+  require_directrix(input);
   DirectrixSolution<Q, Point3> solution = solve_directrix<Q, Point3>(input.c.points, equation);
   if (solution.contradiction) {
     throw NoSolution(contradiction_text(*solution.contradiction, comparison_degree(input.knots.degree(), equation)));

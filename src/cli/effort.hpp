@@ -1,10 +1,13 @@
 // Estimates of work, which the limits of docs/formats.md are about.
-//   effort_of        of a ruled surface        require_effort   an error for surfaces beyond the limit of all commands
+//   effort_of, require_effort             of a ruled surface: all commands
+//   directrix_effort, require_directrix   of the linear system of torse construct directrix
+//   branch_effort, require_branches       of the polynomial of torse construct interpolate
 #pragma once
 
 #include <string>
 
 #include "torse/exact/rational/rational.hpp"
+#include "torse/io/construct_file.hpp"
 #include "torse/io/spline_file.hpp"
 
 namespace torse::cli {
@@ -14,6 +17,23 @@ namespace torse::cli {
 double effort_of(const RuledFile<Rational>& surface, double degree_power, double bits_power);
 
 /// Throws FileError where effort_of(surface, 2, 1.5) exceeds 2^40: the exact decision may take some seconds below that.
-void require_effort(const std::string& file, const RuledFile<Rational>& surface);
+/// `what` is the surface's name in the error.
+void require_effort(const std::string& file, const RuledFile<Rational>& surface, const std::string& what = "a surface");
+
+/// For the N = n + 1 points of c and D = max(deg a, deg b - 1): N^2 min(N, D + 10) (N (p + q) + r)^1.5, p the most bits
+/// of a numerator, q and r those of the common denominators of a, b and of c. By Cramer's rule the elimination's
+/// numbers have about N (p + q) + r bits; the equations have D + 2 unknowns each, and a point on the right side.
+double directrix_effort(const ConstructFile<Rational>& input);
+
+/// Throws InvalidInput naming "c.points" where directrix_effort exceeds 2^38, some seconds.
+void require_directrix(const ConstructFile<Rational>& input);
+
+/// For L + 1 control points, between which FJ07.20 makes a polynomial of degree L - 1: L^2 (p + r + L (3 k + l)), p and
+/// r the bits of the longest numerator and of the common denominator of points and end rulings, k the same of the
+/// knots, l the bits of Lambda, which L factors of FJ07.20-21 hold; knots are weighed as measured.
+double branch_effort(const ConstructFile<Rational>& input);
+
+/// Throws InvalidInput naming "c.points" where branch_effort exceeds 2^31, some seconds.
+void require_branches(const ConstructFile<Rational>& input);
 
 }  // namespace torse::cli

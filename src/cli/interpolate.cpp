@@ -8,6 +8,7 @@
 
 #include "torse/cli/command.hpp"
 #include "torse/cli/construct_methods.hpp"
+#include "torse/cli/effort.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/developable/interpolation.hpp"
 #include "torse/developable/special.hpp"
@@ -93,6 +94,7 @@ Construction skew(const ConstructFile<Q>& input, int branch) {
     throw InvalidInput("c.points", fmt::format("expected at most {} control points to interpolate, found {}",
                                                last_index_limit + 1, input.c.points.size()));
   }
+  require_branches(input);
   const std::vector<RealRoot> roots = find_branches(input);
   if (roots.empty()) throw NoSolution("no branch: every real root of the polynomial in M* is a knot, or there is none");
   if (branch < 1 || branch > static_cast<int>(roots.size())) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -66,6 +67,11 @@ class Effort : public ::testing::Test {
     return run_program(words);
   }
 
+  ProgramResult run_construct(const std::string& method, const json& input) const {
+    spill(scratch / "input.json", input.dump());
+    return run_program({"construct", method, (scratch / "input.json").string(), "-o", out("made.json")});
+  }
+
   std::string out(const std::string& name) const { return (scratch / name).string(); }
 
   Scratch scratch;
@@ -122,6 +128,63 @@ TEST_F(Effort, OnlySmallSurfacesAreRepaired) {
   EXPECT_THAT(result.err, HasSubstr("--repair: expected at most 10000 control points for degree 3, found 10001"));
   EXPECT_FALSE(std::filesystem::exists(out("repaired.json")));
   EXPECT_EQ(run(long_cone(3, 10001), "check", {"--repair", out("repaired.json")}).exit, 0);  // developable as it is
+}
+
+/// A clamped curve of so many points (i, i^2 mod 97, i^3 mod 89) between skew end rulings.
+json interpolation(int degree, int count) {
+  json input{{"torse", 1}, {"type", "construct"}, {"method", "interpolate"}, {"degree", degree}, {"Lambda", "-1/3"}};
+  input["va"] = {1, 2, 5};
+  input["vb"] = {3, -1, 2};
+  input["c"] = long_cone(degree, count)["c"];
+  for (int i = -degree + 1; i <= count - 1; ++i) input["knots"].push_back(std::clamp(i, 0, count - degree));
+  return input;
+}
+
+TEST_F(Effort, AConstructionMakesNothingThatTorseDoesNotRead) {
+  const ProgramResult result = run_construct("interpolate", interpolation(100, 201));
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.err, HasSubstr("expected a result of effort 2^40 at most, found 2^5"));
+  EXPECT_THAT(result.err, HasSubstr("402 control points of degree 100"));
+  EXPECT_FALSE(std::filesystem::exists(out("made.json")));
+  EXPECT_EQ(run_construct("interpolate", interpolation(3, 30)).exit, 0);
+}
+
+TEST_F(Effort, BranchesOfLongNumbersAreNotSearched) {
+  json input = interpolation(3, 201);
+  unsigned seed = 0;
+  for (json& point : input["c"]["points"]) {
+    for (json& x : point) x = "1/" + digits(40, ++seed);
+  }
+  const ProgramResult fractions = run_construct("interpolate", input);
+  EXPECT_EQ(fractions.exit, 2);
+  EXPECT_THAT(fractions.err, HasSubstr("expected a polynomial in M of effort 2^31 at most, found 2^31."));
+  input = interpolation(3, 201);
+  input["Lambda"] = digits(1000, 1);
+  EXPECT_THAT(run_construct("interpolate", input).err, HasSubstr("effort 2^31 at most, found 2^34."));
+}
+
+/// c' = a tau + b tau' for a, b of degree n and all numbers of one length.
+json directrix(int degree, int length) {
+  unsigned seed = 0;
+  const auto number = [&] { return digits(length, ++seed); };
+  json input{{"torse", 1}, {"type", "construct"}, {"method", "directrix"}, {"degree", degree}};
+  for (int i = 0; i <= degree; ++i) {
+    input["c"]["points"].push_back({number(), number(), number()});
+    input["a"].push_back(number());
+    input["b"].push_back(number());
+  }
+  return input;
+}
+
+TEST_F(Effort, LinearSystemsOfLongNumbersAreNotSolved) {
+  const ProgramResult high = run_construct("directrix", directrix(100, 1000));
+  EXPECT_EQ(high.exit, 2);
+  EXPECT_THAT(high.err, HasSubstr("expected a linear system of effort 2^38 at most, found 2^47."));
+  EXPECT_THAT(high.err, HasSubstr("101 points"));
+  EXPECT_FALSE(std::filesystem::exists(out("made.json")));
+  const ProgramResult small = run_construct("directrix", directrix(10, 10));
+  EXPECT_EQ(small.exit, 1);
+  EXPECT_THAT(small.err, HasSubstr("no rulings"));
 }
 
 }  // namespace
