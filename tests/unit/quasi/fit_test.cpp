@@ -76,11 +76,11 @@ TEST(Fit, MappingsOfTheSpaceComeOutToRounding) {
       }
     }
   };
-  for (const auto& [degree, coefficients] : {std::pair{2, 3}, {2, 4}, {2, 50}, {3, 4}, {3, 20}, {4, 5}, {5, 30}}) {
+  for (const auto& [degree, coefficients] : {std::pair{2, 3}, {2, 20}, {3, 4}, {5, 12}}) {
     expect_exact(test::hundredths({0, 0, 100}), degree, coefficients);
     expect_exact(test::hundredths({0, 50, 50}), degree, coefficients);
   }
-  for (const auto& [degree, coefficients] : {std::pair{3, 4}, {3, 50}, {5, 6}}) {
+  for (const auto& [degree, coefficients] : {std::pair{3, 4}, {5, 6}}) {
     expect_exact(test::hundredths({0, 30, 120, -50}), degree, coefficients);
   }
 }
