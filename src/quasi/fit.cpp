@@ -20,8 +20,8 @@ constexpr std::size_t least_samples = 100;
 
 /// A result is measured at so many times as many rulings, and the fit repeated with `finer` times as many samples where
 /// the measure exceeds that at the samples by this factor.
-constexpr std::size_t between = 8;
-constexpr double missed = 1.1;
+constexpr std::size_t between = 4;
+constexpr double missed = 1.5;
 constexpr int finer = 4;
 
 /// Measures below this, in degrees, differ by rounding.
