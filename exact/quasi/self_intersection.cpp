@@ -71,8 +71,14 @@ struct Part {
   std::vector<Box> hull{};
   std::array<std::unique_ptr<Part>, 2> halves{};
 
+  bool within_hull = true;  ///< the weights of either rail have one sign, so that it lies in the hull of its points
+
   void close() {
     for (const auto* row : {&c, &d}) {
+      const auto positive = [](const Homogeneous& x) { return x[0].lower() > 0; };
+      const auto negative = [](const Homogeneous& x) { return x[0].upper() < 0; };
+      within_hull = within_hull && (std::ranges::all_of(*row, positive) || std::ranges::all_of(*row, negative));
+      if (!within_hull) return;
       for (const Homogeneous& x : *row) hull.push_back({x[1] / x[0], x[2] / x[0], x[3] / x[0]});
     }
   }
@@ -147,6 +153,7 @@ Direction normal_of(const Part& part) {
 }
 
 bool separated(const Part& x, const Part& y) {
+  if (!x.within_hull || !y.within_hull) return false;
   for (int k = 0; k < 3; ++k) {
     if (separated_along(x, y, Direction::Unit(k))) return true;
   }

@@ -37,7 +37,8 @@ struct SelfIntersection {
 ///   every ruling to the same side. Neighbouring rulings may share a point of a rail (the vertex of a cone).
 /// `yes` is found by Newton's method in doubles. `unknown` where `most_pairs` pairs of parts did not tell, as for
 /// strips that touch themselves. The ends of a closed strip may meet. D = 3: points of a polynomial surface, D = 4:
-/// homogeneous rows with positive weights.
+/// homogeneous rows. Where a rail's weights have both signs, parts are not separated before subdivision has parted
+/// these.
 template <int D>
 SelfIntersection find_self_intersection(const KnotList<Rational>& u, std::span<const Vec<Rational, D>> c,
                                         std::span<const Vec<Rational, D>> d, long most_pairs = 20'000);

@@ -99,5 +99,30 @@ TEST(SelfIntersection, RationalStrips) {
   EXPECT_EQ(find_self_intersection<4>(bezier_knots<Q>(2), c, d).crosses, Truth::no);
 }
 
+/// With a negative weight the first arc leaves the hull of its control points, which lie at y >= 0: it comes down to y
+/// = -0.857 near x = 2.94. The last wall, at x = 2.94 from y = -20 up to -0.428, goes through it.
+TEST(SelfIntersection, ANegativeWeightLeadsOutOfTheHull) {
+  std::vector<Vec<Q, 4>> c;
+  const auto add = [&](const Q& w, const Q& x, const Q& y) { c.push_back(Vec<Q, 4>(w, w * x, w * y, Q(0))); };
+  const auto wall = [&](const Q& x, const Q& y, const Q& to_x, const Q& to_y) {
+    for (int i = 1; i <= 3; ++i) {
+      add(Q(1), x + ratio<Q>(i, 3) * (to_x - x), y + ratio<Q>(i, 3) * (to_y - y));
+    }
+  };
+  add(Q(1), Q(0), Q(0));
+  add(ratio<Q>(-3, 8), Q(1), Q(2));
+  add(Q(1), Q(5), Q(0));
+  add(Q(1), Q(6), Q(0));
+  const Q place = ratio<Q>(147, 50);
+  wall(Q(6), Q(0), Q(6), Q(-20));
+  wall(Q(6), Q(-20), place, Q(-20));
+  wall(place, Q(-20), place, ratio<Q>(-428, 1000));
+  std::vector<Vec<Q, 4>> d = c;
+  for (Vec<Q, 4>& row : d) row[3] = row[0];
+  std::vector<Q> knots;
+  for (int i = 0; i < 15; ++i) knots.push_back(Q(i / 3));
+  EXPECT_EQ(find_self_intersection<4>(KnotList<Q>(3, knots), c, d).crosses, Truth::yes);
+}
+
 }  // namespace
 }  // namespace torse::test
