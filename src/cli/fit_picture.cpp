@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "torse/cli/fit_report.hpp"
-#include "torse/cli/svg.hpp"
+#include "torse/figures/svg.hpp"
 
 namespace torse::cli {
 namespace {
@@ -63,7 +63,7 @@ std::string strip_picture(const std::vector<SampledRuling>& rulings, const View&
   std::string svg;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     const double warp = (rulings[i].warp + rulings[i + 1].warp) / 2;
-    const std::string colour = warp_colour(largest > 0 ? warp / largest : 0);
+    const std::string colour = figures::warp_colour(largest > 0 ? warp / largest : 0);
     svg += fmt::format("  <path fill=\"{0}\" stroke=\"{0}\" d=\"M{1} {2} {3} {4}Z\"/>\n", colour, at(lines[i][0]),
                        at(lines[i][1]), at(lines[i + 1][1]), at(lines[i + 1][0]));
   }
@@ -78,7 +78,7 @@ std::string colour_bar(double largest, double x, double y, double width) {
   constexpr int steps = 40;
   for (int i = 0; i < steps; ++i) {
     svg += fmt::format("  <rect fill=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"10\"/>\n",
-                       warp_colour((i + 0.5) / steps), x + i * width / steps, y, width / steps + 0.5);
+                       figures::warp_colour((i + 0.5) / steps), x + i * width / steps, y, width / steps + 0.5);
   }
   return svg + fmt::format(
                    "  <text x=\"{:.2f}\" y=\"{:.2f}\">0</text>\n  <text x=\"{:.2f}\" y=\"{:.2f}\" "
@@ -86,24 +86,24 @@ std::string colour_bar(double largest, double x, double y, double width) {
                    x, y + 24, x + width, y + 24, largest);
 }
 
-SvgLine line_of(const std::vector<SampledRuling>& rulings, double SampledRuling::*value) {
-  SvgLine line;
+figures::SvgLine line_of(const std::vector<SampledRuling>& rulings, double SampledRuling::*value) {
+  figures::SvgLine line;
   for (const SampledRuling& ruling : rulings) line.emplace_back(ruling.t, ruling.*value);
   return line;
 }
 
 std::string diagrams(const FittedStrip& strip) {
-  SvgPlot mapping("mapping", 60, 460, 230, 230);
+  figures::SvgPlot mapping("mapping", 60, 460, 230, 230);
   mapping.axes("t", "T");
   mapping.add(line_of(strip.old_rulings, &SampledRuling::target), old_colour, "T = t");
   mapping.add(line_of(strip.rulings, &SampledRuling::target), new_colour, "fitted");
-  SvgPlot warp("warp along the first rail", 370, 460, 230, 230, true);
+  figures::SvgPlot warp("warp along the first rail", 370, 460, 230, 230, true);
   warp.axes("t", "degrees");
   warp.add(line_of(strip.old_rulings, &SampledRuling::warp), old_colour, "T = t");
   warp.add(line_of(strip.rulings, &SampledRuling::warp), new_colour, "fitted");
-  SvgPlot convergence("convergence", 690, 460, 230, 230, true);
+  figures::SvgPlot convergence("convergence", 690, 460, 230, 230, true);
   convergence.axes("milliseconds", strip.method.paper ? "objective" : "degrees");
-  SvgLine curve;
+  figures::SvgLine curve;
   if (strip.method.fit) {
     for (const quasi::FitStep& step : strip.method.fit->curve) curve.emplace_back(1000 * step.seconds, step.value);
   }
@@ -125,7 +125,7 @@ std::string fit_svg(const FitTitle& title, const FittedStrip& strip) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" "
       "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n",
       page_width, page_height);
-  svg += fmt::format(" <title>{}</title>\n", svg_escaped(title.name));
+  svg += fmt::format(" <title>{}</title>\n", figures::svg_escaped(title.name));
   svg +=
       " <style>text{font:11px sans-serif;fill:#333}.title{font-weight:bold;font-size:13px}.grid{stroke:#ddd}"
       ".frame{fill:none;stroke:#888}polyline{fill:none;stroke-width:1.5}.ruling{stroke:#0004;fill:none}"

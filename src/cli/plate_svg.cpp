@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "torse/cli/plate_files.hpp"
-#include "torse/cli/svg.hpp"
+#include "torse/figures/svg.hpp"
 
 namespace torse::cli {
 namespace {
@@ -41,7 +41,7 @@ std::string texts(const PlateSheet& sheet) {
   std::string result;
   for (const Lettering& line : letterings(sheet)) {
     result += fmt::format("   <text transform=\"translate({} {}) rotate({}) scale({} {})\">{}</text>\n", line.at.x,
-                          line.at.y, line.angle, scale, -scale, svg_escaped(line.text));
+                          line.at.y, line.angle, scale, -scale, figures::svg_escaped(line.text));
   }
   return result;
 }
@@ -58,7 +58,7 @@ std::string plate_svg(const PlateSheet& sheet) {
   svg += fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n",
       svg_length(width, sheet.unit), svg_length(height, sheet.unit), -margin, -plate.height - margin, width, height);
-  svg += fmt::format(" <title>{}</title>\n <desc>1 user unit = 1 {}</desc>\n", svg_escaped(sheet.face.name),
+  svg += fmt::format(" <title>{}</title>\n <desc>1 user unit = 1 {}</desc>\n", figures::svg_escaped(sheet.face.name),
                      sheet.unit.name);
   svg += fmt::format(" <g transform=\"scale(1 -1)\" fill=\"none\" stroke-width=\"{}\">\n", stroke);
   svg += fmt::format("  <g id=\"cut\" stroke=\"black\">\n   <path d=\"{}\"/>\n  </g>\n", outline_path(plate));

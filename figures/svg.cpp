@@ -1,11 +1,11 @@
-#include "torse/cli/svg.hpp"
+#include "torse/figures/svg.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace torse::cli {
+namespace torse::figures {
 namespace {
 
 constexpr int tick_count = 4;
@@ -114,4 +114,4 @@ std::string SvgPlot::text() const {
                            y_ - 10, svg_escaped(vertical_));
 }
 
-}  // namespace torse::cli
+}  // namespace torse::figures

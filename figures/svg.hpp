@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace torse::cli {
+namespace torse::figures {
 
 /// The text with &, <, > and " as entities.
 std::string svg_escaped(std::string_view text);
@@ -60,4 +60,4 @@ class SvgPlot {
   std::vector<Named> lines_;
 };
 
-}  // namespace torse::cli
+}  // namespace torse::figures
