@@ -37,6 +37,8 @@ struct FitCommand {
   bool reverse = false;
   std::string picture;
   std::string extend = "0.1";
+  std::string within;
+  std::string simplest = "points";
   std::string max_warp;
   std::string json;
 };
@@ -63,6 +65,16 @@ Rational read_share(const std::string& text) {
   }
 }
 
+Rational read_length(const std::string& text) {
+  try {
+    Rational length = parse_number<Rational>(text);
+    if (length.sign() > 0) return length;
+    throw UsageError("--within: expected a length above 0, found " + text);
+  } catch (const BadNumber& bad) {
+    throw UsageError(std::string("--within: ") + bad.what());
+  }
+}
+
 FitWishes wishes_of(const FitCommand& command) {
   constexpr std::array methods{std::pair{"warp", FitMethod::warp}, std::pair{"paper", FitMethod::paper},
                                std::pair{"discrete", FitMethod::discrete}, std::pair{"same", FitMethod::same}};
@@ -70,6 +82,8 @@ FitWishes wishes_of(const FitCommand& command) {
                                 std::pair{"max", quasi::Measure::max}};
   constexpr std::array ends{std::pair{"fixed", quasi::Ends::fixed}, std::pair{"free", quasi::Ends::free},
                             std::pair{"extended", quasi::Ends::free}};
+  constexpr std::array simplest{std::pair{"knots", Simplest::knots}, std::pair{"degree", Simplest::degree},
+                                std::pair{"points", Simplest::points}};
   FitWishes wishes;
   wishes.file = command.input;
   wishes.method = choice("--method", command.method, methods);
@@ -85,6 +99,8 @@ FitWishes wishes_of(const FitCommand& command) {
   }
   if (!command.max_warp.empty()) wishes.max_warp = read_angle(command.max_warp);
   if (command.ends == "extended") wishes.extension = read_share(command.extend);
+  const Simplest few = choice("--simplest", command.simplest, simplest);
+  if (!command.within.empty()) wishes.within = {read_length(command.within), few};
   return wishes;
 }
 
@@ -157,6 +173,9 @@ std::vector<std::string> replay_words(const FitCommand& command) {
                                  "--coefficients",
                                  std::to_string(command.coefficients)};
   if (command.ends == "extended") words.insert(words.end(), {"--extend", command.extend});
+  if (!command.within.empty()) {
+    words.insert(words.end(), {"--within", command.within, "--simplest", command.simplest});
+  }
   if (command.even_knots) words.emplace_back("--even-knots");
   if (command.regular) words.emplace_back("--regular");
   if (command.reverse) words.emplace_back("--reverse");
@@ -240,6 +259,11 @@ std::function<int()> define_fit(CLI::App& app) {
   app.add_flag("--regular", command->regular,
                "count angles beyond 90 degrees, where the surface folds over, as what they are");
   app.add_flag("--reverse", command->reverse, "take the second rail from its end to its begin");
+  app.add_option("--within", command->within, "a simpler surface is enough, off by at most LENGTH in the rails' unit")
+      ->type_name("LENGTH");
+  app.add_option("--simplest", command->simplest, "what it has few of: control points, knots or its degree is low")
+      ->capture_default_str()
+      ->type_name("points|knots|degree");
   app.add_option("--max-warp", command->max_warp, "exit code 1 if the certified largest warp angle exceeds ANGLE")
       ->type_name("ANGLE");
   app.add_option("--svg", command->picture,

@@ -163,6 +163,30 @@ std::string crossings_text(const FittedStrip& strip, const Terminal& terminal) {
                      crossings.witness->first, crossings.witness->second);
 }
 
+Json simplified_json(const Simplified& simplified) {
+  return {
+      {"distance", simplified.distance},
+      {"exact",
+       {{"degree", simplified.exact_degree}, {"pieces", simplified.exact_pieces}, {"points", simplified.exact_points}}},
+      {"warp", statistics_json(simplified.warp)}};
+}
+
+std::string surface_text(const FittedStrip& strip) {
+  const KnotList<Rational>& u = strip.surface.knots;
+  std::string text = fmt::format("  surface: degree {}, {} pieces, {} points on each rail, ", u.degree(),
+                                 u.proper_pieces().size(), u.last() + 1);
+  if (!strip.simplified) return text + "exactly on both rails\n";
+  const Simplified& simplified = *strip.simplified;
+  text += fmt::format("certified: within {:.3g} of the exact one (degree {}, {} pieces, {} points)\n",
+                      simplified.distance, simplified.exact_degree, simplified.exact_pieces, simplified.exact_points);
+  text += fmt::format("  its own warp: mean {:.6g} degrees, sampled maximum {:.6g}\n", simplified.warp.mean,
+                      simplified.warp.max);
+  if (simplified.warp.max > strip.after.max + strip.threshold) {
+    text += "  near points do not make near normals: a smaller --within keeps the warp\n";
+  }
+  return text;
+}
+
 /// Six digits, and no less than that for small angles.
 std::string degrees_text(double x) { return fmt::format("{:.6g}", x); }
 
@@ -175,7 +199,7 @@ nlohmann::ordered_json fit_json(const FitTitle& title, const FittedStrip& strip)
             {"measure", title.measure},
             {"ends", title.ends},
             {"developable", !strip.certified},
-            {"exact", true},
+            {"exact", !strip.simplified},
             {"mapping", mapping_json(strip)},
             {"before", statistics_json(strip.before)},
             {"after", statistics_json(strip.after)}};
@@ -183,6 +207,7 @@ nlohmann::ordered_json fit_json(const FitTitle& title, const FittedStrip& strip)
   json["max_warp_deg"] = {{"lo", warp.lower}, {"hi", warp.upper}};
   const KnotList<Rational>& u = strip.surface.knots;
   json["surface"] = {{"degree", u.degree()}, {"pieces", u.proper_pieces().size()}, {"points", u.last() + 1}};
+  if (strip.simplified) json["simplified"] = simplified_json(*strip.simplified);
   json["seconds"] = strip.method.seconds;
   Json folds{{"folded", strip.folds.folded == Truth::unknown ? Json() : Json(strip.folds.folded == Truth::yes)}};
   if (strip.folds.witness) folds["at"] = strip.folds.witness->parameter.text();
@@ -206,14 +231,12 @@ std::string fit_text(const FitTitle& title, const FittedStrip& strip, const Term
                   degrees_text(strip.before.max), degrees_text(strip.after.max));
   text += strip.certified ? fmt::format("  certified: {}\n", describe(strip.certified->enclosure))
                           : fmt::format("  {}\n", terminal.painted(Paint::good, "exactly developable"));
-  const KnotList<Rational>& u = strip.surface.knots;
   const std::string order = strip.monotony.kind == Monotony::strict ? "increases strictly"
                             : strip.monotony.kind == Monotony::weak ? "rests on a point of the second rail somewhere"
                                                                     : "decreases somewhere";
   text += fmt::format("  mapping: degree {}, {} coefficients, {}\n", strip.sigma.knots.degree(),
                       strip.sigma.control.size(), order);
-  text += fmt::format("  surface: degree {}, {} pieces, {} points on each rail, exactly on both rails\n", u.degree(),
-                      u.proper_pieces().size(), u.last() + 1);
+  text += surface_text(strip);
   for (const TrimLine& trim : strip.trims) {
     text += fmt::format("  trim along the line from c({:.6g}) to d at the ruling of u = {:.6g}\n", trim.c.to_double(),
                         trim.d.to_double());

@@ -8,6 +8,7 @@
 
 #include "torse/cli/effort.hpp"
 #include "torse/cli/judge.hpp"
+#include "torse/exact/quasi/simplify.hpp"
 #include "torse/exact/quasi/snap.hpp"
 #include "torse/io/limits.hpp"
 #include "torse/quasi/extension.hpp"
@@ -194,7 +195,36 @@ void require_size(const RailsFile<Rational>& rails, const FitWishes& wishes) {
   }
 }
 
-/// Folds and crossings of the exact surface.
+/// The warp of a surface's own rulings.
+quasi::WarpStatistics own_warp(const RuledFile<Rational>& surface) {
+  const quasi::Rails rails = unit_rails({{surface.knots, surface.c}, {surface.knots, surface.d}});
+  return quasi::warp_statistics(rails, same_parameter(), measured_rulings);
+}
+
+SimplifiedSurface simpler(const ExactSurface& surface, const Within& within) {
+  if (within.simplest == Simplest::points) return with_fewest_points(surface, within.distance);
+  if (within.simplest == Simplest::degree) return with_lowest_degree(surface, within.distance);
+  std::optional<SimplifiedSurface> found = with_fewest_knots(surface, surface.knots.degree(), within.distance);
+  return found ? *std::move(found) : SimplifiedSurface{surface, 0};
+}
+
+/// Puts the simpler surface into the place of the exact one.
+void simplify(FittedStrip& strip, const Within& within) {
+  RuledFile<Rational>& file = strip.surface;
+  for (const auto& [net, place] : {std::pair{&file.c, "c"}, std::pair{&file.d, "d"}}) {
+    if (!unit_weights(*net)) {
+      throw InvalidInput(std::string(place) + ".weights", "expected a rail without weights for a simpler surface");
+    }
+  }
+  const ExactSurface exact(file.knots, file.c.points, file.d.points);
+  SimplifiedSurface found = simpler(exact, within);
+  const std::vector<Rational> ones(found.surface.c.size(), Rational(1));
+  file = {found.surface.knots, {found.surface.c, ones}, {found.surface.d, ones}};
+  strip.simplified = {found.distance, exact.knots.degree(), exact.knots.proper_pieces().size(), exact.c.size(),
+                      own_warp(file)};
+}
+
+/// Folds and crossings of the surface.
 void certify_order(FittedStrip& strip) {
   const KnotList<Rational>& u = strip.surface.knots;
   const auto certify = [&]<int D>(const std::vector<Vec<Rational, D>>& c, const std::vector<Vec<Rational, D>>& d) {
@@ -248,6 +278,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .change = exact.change / (used.d.knots.domain_end() - used.d.knots.domain_begin()),
       .monotony = decide_monotony(exact.sigma),
       .surface = ruled_file(quasi_surface(curve_of(used.c), curve_of(used.d), exact.sigma)),
+      .simplified = {},
       .before = quasi::warp_statistics(old, same_parameter(), measured_rulings),
       .after = quasi::warp_statistics(unit, sigma, measured_rulings, range),
       .certified = {},
@@ -260,6 +291,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .threshold = threshold,
       .findings = quasi::diagnose(unit, sigma, {.range = range, .threshold = threshold}),
   };
+  if (wishes.within) simplify(strip, *wishes.within);
   require_effort(wishes.file, strip.surface);
   certify_order(strip);
   if (!judge(strip.surface).developable()) strip.certified = judge_warp(strip.surface, wishes.max_warp);

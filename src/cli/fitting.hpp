@@ -2,8 +2,10 @@
 //   FitMethod           the paper's methods, ours, or T = t as it stands
 //   FitWishes           what the command line asks for
 //   UnitRails           the rails in doubles, at the origin and of size 1
+//   Simplest, Within    what a simpler surface is to have few of, and how near it has to be
 //   MethodResult        a mapping and how it was found
 //   TrimLine            where extended rails reach their old ends
+//   Simplified          what became of the exact surface
 //   FittedStrip         the mapping and the exact surface, with all that is known of them
 //   fit_strip           from the rails of a file
 #pragma once
@@ -26,6 +28,16 @@ namespace torse::cli {
 /// warp: ours. paper: BZZ19's continuous mapping. discrete: its discrete one. same: T = t.
 enum class FitMethod { warp, paper, discrete, same };
 
+/// What the simpler surface has as few of as is found: knots at the degree of the exact one, degrees, or control
+/// points.
+enum class Simplest { knots, degree, points };
+
+/// A surface near the exact one is enough.
+struct Within {
+  Rational distance;  ///< a length in the rails' own unit
+  Simplest simplest = Simplest::points;
+};
+
 struct FitWishes {
   std::string file;  ///< for errors
   FitMethod method = FitMethod::warp;
@@ -33,6 +45,7 @@ struct FitWishes {
   std::optional<Angle> max_warp;
   /// Lets both rails go on beyond their ends by this share of their parameters; the ends are free then.
   std::optional<Rational> extension;
+  std::optional<Within> within{};
 };
 
 /// The rails of a file, moved and scaled by one exact map into the unit cube around the origin, then rounded.
@@ -53,13 +66,23 @@ struct TrimLine {
   Rational d;
 };
 
+/// The surface that took the place of the exact one, beside what the strip says of it.
+struct Simplified {
+  double distance;  ///< no point is further from that of the exact surface with the same parameters: certified
+  int exact_degree;
+  std::size_t exact_pieces;
+  std::size_t exact_points;    ///< on each rail
+  quasi::WarpStatistics warp;  ///< of the simplified surface, sampled
+};
+
 /// A strip between two rails.
 struct FittedStrip {
   MethodResult method;
   Mapping<Rational> sigma;  ///< from the domain of c into that of d
   Rational change;          ///< of the fitted mapping for the exact surface, relative to the domain of d
   MonotonyVerdict monotony;
-  RuledFile<Rational> surface;                    ///< (1-v) c(t) + v d(sigma(t)), exactly
+  RuledFile<Rational> surface;                    ///< (1-v) c(t) + v d(sigma(t)), exactly, unless it is simplified
+  std::optional<Simplified> simplified;           ///< how, if it is
   quasi::WarpStatistics before;                   ///< of T = t, sampled
   quasi::WarpStatistics after;                    ///< of the mapping, at other rulings than those of the fit
   std::optional<WarpVerdict> certified;           ///< none for a surface that is exactly developable
@@ -82,8 +105,9 @@ inline constexpr std::size_t measured_rulings = 2000;
 /// And as many are drawn.
 inline constexpr std::size_t drawn_rulings = 240;
 
-/// Fits, makes the exact surface and certifies it. Throws InvalidInput naming "c" or "d" for rails that are points or
-/// too long for doubles, or whose surface would have a degree or a size beyond the limits.
+/// Fits, makes the exact surface, simplifies it if wanted and certifies what came out. Throws InvalidInput naming "c"
+/// or "d" for rails that are points or too long for doubles, that have weights where a simpler surface is wanted, or
+/// whose surface would have a degree or a size beyond the limits.
 FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes);
 
 }  // namespace torse::cli

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
+#include "torse/algebra/determinant.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/io/spline_file.hpp"
 #include "torse/quasi/mapping.hpp"
@@ -24,11 +26,12 @@ const std::string cylinder = R"({"torse": 1, "type": "rails",
   "c": {"degree": 4, "points": [[0,0,1],[0,0,"5/4"],["1/6",0,"3/2"],["1/2",0,"7/4"],[1,1,2]]},
   "d": {"degree": 2, "points": [[0,0,0],["1/2",0,0],[1,1,0]]}})";
 
-/// Two cubics with knots, weights and domains of their own.
-const std::string strip = R"({"torse": 1, "type": "rails",
+/// A cubic and a quadratic with knots and domains of their own; `strip` has weights too.
+const std::string open_strip = R"({"torse": 1, "type": "rails",
   "c": {"degree": 3, "knots": [2,2,2,3,5,5,5], "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1],[4,0,0]]},
-  "d": {"degree": 2, "knots": [0,0,"1/3",1,1], "points": [[0.2,1.5,0.1],[1.5,1.9,0.6],[2.5,1.3,-0.1],[4.1,1.4,0.4]],
-        "weights": [1,2,1,1]}})";
+  "d": {"degree": 2, "knots": [0,0,"1/3",1,1], "points": [[0.2,1.5,0.1],[1.5,1.9,0.6],[2.5,1.3,-0.1],[4.1,1.4,0.4]])";
+const std::string plain = open_strip + "}}";
+const std::string strip = open_strip + R"(, "weights": [1,2,1,1]}})";
 
 const std::string skew = R"({"torse": 1, "type": "rails",
   "c": {"degree": 1, "points": [[-1,0,0],[1,0,0]]}, "d": {"degree": 1, "points": [[0,-1,1],[0,1,1]]}})";
@@ -177,6 +180,39 @@ TEST_F(Fit, ExtendedRailsCoverTheOldOnes) {
   }
 }
 
+/// The exact surface is known: c(t) and d(sigma(t)) by the rails of the file and the mapping of the report.
+TEST_F(Fit, SimplerSurfacesAreWithinTheDistance) {
+  const RailsFile<Q> rails = read_rails<Q>(Document("rails.json", plain));
+  const json exact = this->report(plain, {"--coefficients", "12"}).at("surface");
+  const Q within = ratio<Q>(1, 5);
+  const double far = 0.2;
+  for (const char* simplest : {"points", "degree", "knots"}) {
+    SCOPED_TRACE(simplest);
+    const json report = this->report(plain, {"--coefficients", "12", "--within", "1/5", "--simplest", simplest});
+    const json& simplified = report.at("simplified");
+    EXPECT_EQ(report.at("exact"), false);
+    EXPECT_EQ(simplified.at("exact"), exact);
+    EXPECT_LT(report.at("surface").at("points"), exact.at("points"));
+    const int degree = report.at("surface").at("degree");
+    EXPECT_LE(degree, simplest == std::string("degree") ? 3 : 4);
+    EXPECT_GE(degree, simplest == std::string("knots") ? 4 : 1);
+    EXPECT_LE(simplified.at("distance"), far);
+    const RuledFile<Q> surface = written();
+    const Mapping<Q> sigma = mapping_in(report);
+    Q largest(0);
+    for (int i = 0; i <= 90; ++i) {
+      const Q t = Q(2) + ratio<Q>(i, 30);
+      const Vec<Q, 3> of_c = difference(at(surface.knots, surface.c, t), at(rails.c.knots, rails.c.net, t));
+      const Vec<Q, 3> of_d =
+          difference(at(surface.knots, surface.d, t), at(rails.d.knots, rails.d.net, mapping_value(sigma, t)));
+      largest = std::max({largest, dot(of_c, of_c), dot(of_d, of_d)});
+    }
+    EXPECT_LE(largest, within * within);
+    EXPECT_LE(largest.to_double(), std::pow(simplified.at("distance").get<double>(), 2));
+    EXPECT_GT(largest, within * within / Q(10000)) << "the distance is hardly used";
+  }
+}
+
 TEST_F(Fit, TellsWhyAndBy90Degrees) {
   const json report = this->report(skew);
   ASSERT_FALSE(report.at("findings").empty());
@@ -222,9 +258,9 @@ TEST_F(Fit, FindsCrossingsAndFolds) {
   EXPECT_EQ(report.at("self_intersection").at("crosses"), true);
   EXPECT_EQ(report.at("folds").at("folded"), false);
   EXPECT_THAT(run(loop, {"--method", "same"}).out, HasSubstr("crosses itself"));
-  const json plain = this->report(strip);
-  EXPECT_EQ(plain.at("self_intersection").at("crosses"), false);
-  EXPECT_EQ(plain.at("folds").at("folded"), false);
+  const json simple = this->report(strip);
+  EXPECT_EQ(simple.at("self_intersection").at("crosses"), false);
+  EXPECT_EQ(simple.at("folds").at("folded"), false);
 }
 
 TEST_F(Fit, DrawsItself) {
@@ -279,6 +315,9 @@ TEST_F(Fit, RefusesAndWritesNothing) {
   refused(high.dump(), {}, "a mapping of degree 2 gives a surface of degree 42, expected at most 40");
   refused(R"({"torse": 1, "type": "ruled"})", {}, "\"rails\"");
   refused(strip, {"--ends", "extended", "--extend", "0"}, "--extend: expected a share above 0 and at most 1, found 0");
+  refused(strip, {"--within", "0"}, "--within: expected a length above 0, found 0");
+  refused(strip, {"--within", "1", "--simplest", "point"}, "did you mean points?");
+  refused(strip, {"--within", "1"}, "d.weights: expected a rail without weights for a simpler surface");
   refused(strip, {"-o", file("out.xyz")}, ".xyz");
   refused(strip, {"-o", "-", "--json", "-"}, "standard output");
 }
