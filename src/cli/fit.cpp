@@ -11,6 +11,7 @@
 
 #include "torse/cli/command.hpp"
 #include "torse/cli/conversion.hpp"
+#include "torse/cli/fit_plate.hpp"
 #include "torse/cli/fit_report.hpp"
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
@@ -36,6 +37,7 @@ struct FitCommand {
   bool regular = false;
   bool reverse = false;
   std::string picture;
+  std::vector<std::string> plates;
   std::string extend = "0.1";
   std::string within;
   std::string simplest = "points";
@@ -181,6 +183,7 @@ std::vector<std::string> replay_words(const FitCommand& command) {
   if (command.reverse) words.emplace_back("--reverse");
   if (!command.max_warp.empty()) words.insert(words.end(), {"--max-warp", command.max_warp});
   for (const std::string& output : command.outputs) words.insert(words.end(), {"-o", output});
+  for (const std::string& plate : command.plates) words.insert(words.end(), {"--unroll", plate});
   return words;
 }
 
@@ -196,7 +199,9 @@ int fit(const FitCommand& command, const FitWishes& wishes) {
   const Face face = face_of(command, strip);
   std::vector<std::string> bytes;
   for (const std::string& output : command.outputs) bytes.push_back(bytes_of(output, face));
+  const std::optional<Unrolled> plate = fitted_plate(command.plates, face, millimetres());
   for (std::size_t i = 0; i < bytes.size(); ++i) write_file(command.outputs[i], bytes[i]);
+  if (plate) write_plates(command.plates, *plate);
 
   const FitTitle title{printable(command.input), face.name, command.method, command.measure, command.ends};
   if (!command.picture.empty()) write_file(command.picture, fit_svg(title, strip));
@@ -207,12 +212,16 @@ int fit(const FitCommand& command, const FitWishes& wishes) {
     if (opposite(rails)) {
       terminal.print("  the rails run in opposite directions, it seems: --reverse takes the second one from its end\n");
     }
+    if (plate) terminal.print(fit_plate_text(*plate, terminal));
   }
   if (!command.json.empty()) {
+    Json report = fit_json(title, strip);
+    if (plate) report["plate"] = fit_plate_json(command.plates, *plate);
     write_file(command.json,
-               Json{{"torse", 1}, {"surfaces", {fit_json(title, strip)}}, {"errors", Json::array()}}.dump(2) + '\n');
+               Json{{"torse", 1}, {"surfaces", {std::move(report)}}, {"errors", Json::array()}}.dump(2) + '\n');
   }
-  return code_of(command, strip);
+  const int code = code_of(command, strip);
+  return code == exit_code::success && plate ? plate->code : code;
 }
 
 int run_fit(const FitCommand& command) {
@@ -220,6 +229,7 @@ int run_fit(const FitCommand& command) {
   for (const std::string& output : command.outputs) {
     if (output != "-") format_of(output);
   }
+  require_plate_files(command.plates);
   if (command.json == "-" && std::ranges::count(command.outputs, "-") > 0) {
     throw UsageError("-o - and --json -: only one of them can be written to standard output");
   }
@@ -268,6 +278,9 @@ std::function<int()> define_fit(CLI::App& app) {
       ->type_name("ANGLE");
   app.add_option("--svg", command->picture,
                  "draw the strip before and after, the mapping, the warp and the convergence")
+      ->type_name("FILE");
+  app.add_option("--unroll", command->plates,
+                 "the surface as a flat plate, if its warp is at most 45 degrees: .svg, .dxf or .json")
       ->type_name("FILE");
   app.add_option("--json", command->json, "write the report as JSON; - is standard output")->type_name("FILE");
   return [command] { return run_fit(*command); };

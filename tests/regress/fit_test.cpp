@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "support/program.hpp"
 #include "torse/algebra/determinant.hpp"
@@ -213,6 +214,50 @@ TEST_F(Fit, SimplerSurfacesAreWithinTheDistance) {
   }
 }
 
+/// The plate's rails have the lengths of the rails of the file, found here by long chains of chords.
+TEST_F(Fit, UnrollsWhatItFits) {
+  const json report =
+      this->report(cylinder, {"--coefficients", "3", "--unroll", file("plate.svg"), "--unroll", file("plate.json")});
+  const RailsFile<Q> rails = read_rails<Q>(Document("rails.json", cylinder));
+  const json& plate = report.at("plate");
+  EXPECT_EQ(plate.at("unrolled"), true);
+  EXPECT_EQ(plate.at("overlap"), false);
+  EXPECT_EQ(plate.at("error").at("inside"), 0);
+  for (const auto& [name, rail] : {std::pair{"c", &rails.c}, std::pair{"d", &rails.d}}) {
+    double chain = 0;
+    Vec<Q, 3> last = at(rail->knots, rail->net, Q(0));
+    for (int i = 1; i <= 400; ++i) {
+      const Vec<Q, 3> next = at(rail->knots, rail->net, ratio<Q>(i, 400));
+      const Vec<Q, 3> step = difference(next, last);
+      chain += std::sqrt(dot(step, step).to_double());
+      last = next;
+    }
+    EXPECT_NEAR(plate.at("length").at(name).at("lo"), chain, 1e-5 * chain);
+  }
+  EXPECT_THAT(slurp(scratch / "plate.svg"), HasSubstr("</svg>"));
+  EXPECT_EQ(json::parse(slurp(scratch / "plate.json")).at("type"), "plate");
+}
+
+TEST_F(Fit, TellsWhyThereIsNoPlate) {
+  const ProgramResult result = run(skew, {"--unroll", file("plate.dxf"), "--json", file("report.json")});
+  EXPECT_EQ(result.exit, 1);
+  EXPECT_THAT(result.out, HasSubstr("no plate: not developable: the largest warp angle lies in [90, 90] degrees"));
+  const json plate = json::parse(slurp(scratch / "report.json")).at("surfaces").at(0).at("plate");
+  EXPECT_EQ(plate.at("unrolled"), false);
+  EXPECT_THAT(plate.at("reason").get<std::string>(), HasSubstr("more than 45deg"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "out.json"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "plate.dxf"));
+}
+
+/// A warp of some degrees is unrolled with the bound of docs/decisions/0008-unroll.md: 1 / cos(warp / 2) - 1.
+TEST_F(Fit, PlatesOfWarpedStripsSayHowMuchTheyStretch) {
+  const json report = this->report(strip, {"--coefficients", "6", "--unroll", file("plate.svg")});
+  const double warp = report.at("max_warp_deg").at("hi");
+  EXPECT_GT(warp, 0.1);
+  const double stretch = 1 / std::cos(warp * std::numbers::pi / 360) - 1;
+  EXPECT_NEAR(report.at("plate").at("error").at("inside"), stretch, 0.05 * stretch);
+}
+
 TEST_F(Fit, TellsWhyAndBy90Degrees) {
   const json report = this->report(skew);
   ASSERT_FALSE(report.at("findings").empty());
@@ -319,6 +364,7 @@ TEST_F(Fit, RefusesAndWritesNothing) {
   refused(strip, {"--within", "1", "--simplest", "point"}, "did you mean points?");
   refused(strip, {"--within", "1"}, "d.weights: expected a rail without weights for a simpler surface");
   refused(strip, {"-o", file("out.xyz")}, ".xyz");
+  refused(strip, {"--unroll", file("out.obj")}, "--unroll: expected a name that ends in .svg, .dxf or .json");
   refused(strip, {"-o", "-", "--json", "-"}, "standard output");
 }
 
