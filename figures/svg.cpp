@@ -40,8 +40,7 @@ std::string warp_colour(double share) {
   return fmt::format("hsl({:.0f},85%,{:.0f}%)", hue, 45.0);
 }
 
-SvgPlot::SvgPlot(std::string title, double x, double y, double width, double height, bool logarithmic)
-    : title_(std::move(title)), x_(x), y_(y), width_(width), height_(height), logarithmic_(logarithmic) {}
+SvgPlot::SvgPlot(std::string title, bool logarithmic) : title_(std::move(title)), logarithmic_(logarithmic) {}
 
 void SvgPlot::axes(std::string horizontal, std::string vertical) {
   horizontal_ = std::move(horizontal);
@@ -73,45 +72,47 @@ SvgPlot::Span SvgPlot::span(bool vertical) const {
   return span;
 }
 
-std::string SvgPlot::ticks(const Span& across, const Span& up) const {
+std::string SvgPlot::ticks(const Frame& frame, const Span& across, const Span& up) const {
   std::string text;
   for (int i = 0; i <= tick_count; ++i) {
     const double share = static_cast<double>(i) / tick_count;
     const double value = up.low + share * (up.high - up.low);
-    const double y = y_ + height_ * (1 - share);
-    text += fmt::format("  <line class=\"grid\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n", x_, y,
-                        x_ + width_, y);
-    text += fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"end\">{:.3g}</text>\n", x_ - 5, y + 4,
+    const double y = frame.y + frame.height * (1 - share);
+    text += fmt::format("  <line class=\"grid\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n", frame.x,
+                        y, frame.x + frame.width, y);
+    text += fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"end\">{:.3g}</text>\n", frame.x - 5, y + 4,
                         logarithmic_ ? std::pow(10, value) : value);
-    text += fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\">{:.3g}</text>\n", x_ + share * width_,
-                        y_ + height_ + 15, across.low + share * (across.high - across.low));
+    text += fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\">{:.3g}</text>\n",
+                        frame.x + share * frame.width, frame.y + frame.height + 15,
+                        across.low + share * (across.high - across.low));
   }
   return text;
 }
 
-std::string SvgPlot::text() const {
+std::string SvgPlot::text(const Frame& frame) const {
   const Span across = span(false);
   const Span up = span(true);
-  std::string svg = fmt::format(" <g>\n  <text class=\"title\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", x_, y_ - 10,
-                                svg_escaped(title_));
-  svg += ticks(across, up);
-  svg += fmt::format("  <rect class=\"frame\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n", x_, y_,
-                     width_, height_);
-  double legend = y_ + 14;
+  std::string svg = fmt::format(" <g>\n  <text class=\"title\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", frame.x,
+                                frame.y - 10, svg_escaped(title_));
+  svg += ticks(frame, across, up);
+  svg += fmt::format("  <rect class=\"frame\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n",
+                     frame.x, frame.y, frame.width, frame.height);
+  double legend = frame.y + 14;
   for (const Named& line : lines_) {
     std::string points;
     for (const auto& [x, y] : line.points) {
-      points += fmt::format("{:.2f},{:.2f} ", x_ + width_ * across.place(x), y_ + height_ * (1 - up.place(y)));
+      points += fmt::format("{:.2f},{:.2f} ", frame.x + frame.width * across.place(x),
+                            frame.y + frame.height * (1 - up.place(y)));
     }
     svg += fmt::format("  <polyline stroke=\"{}\" points=\"{}\"/>\n", line.colour, points);
-    svg += fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" style=\"fill:{}\">{}</text>\n", x_ + 8, legend, line.colour,
-                       svg_escaped(line.name));
+    svg += fmt::format("  <text class=\"legend\" x=\"{:.2f}\" y=\"{:.2f}\" style=\"fill:{}\">{}</text>\n", frame.x + 8,
+                       legend, line.colour, svg_escaped(line.name));
     legend += 14;
   }
-  svg += fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\">{}</text>\n", x_ + width_ / 2,
-                     y_ + height_ + 30, svg_escaped(horizontal_));
-  return svg + fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n </g>\n", x_ + width_,
-                           y_ - 10, svg_escaped(vertical_));
+  svg += fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\">{}</text>\n", frame.x + frame.width / 2,
+                     frame.y + frame.height + 30, svg_escaped(horizontal_));
+  return svg + fmt::format("  <text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n </g>\n",
+                           frame.x + frame.width, frame.y - 10, svg_escaped(vertical_));
 }
 
 }  // namespace torse::figures

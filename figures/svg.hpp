@@ -1,5 +1,6 @@
 // Pieces of SVG 1.1.
 //   svg_escaped       text for an element or an attribute
+//   Frame             a rectangle of a page
 //   SvgPlot           a diagram with two axes
 //   warp_colour       blue for 0, red for the largest warp
 #pragma once
@@ -17,22 +18,30 @@ std::string svg_escaped(std::string_view text);
 /// "hsl(h,s%,l%)" for a share of the largest warp, 0 to 1.
 std::string warp_colour(double share);
 
+/// A rectangle of a page, in user units, y downwards.
+struct Frame {
+  double x;
+  double y;
+  double width;
+  double height;
+};
+
 /// The points of a line, in the units of the axes.
 using SvgLine = std::vector<std::pair<double, double>>;
 
 /// A diagram whose axes span what is drawn in it.
 class SvgPlot {
  public:
-  /// Its frame has the upper left corner (x, y); y is drawn by its logarithm if `logarithmic`, and values not above 0
-  /// are left out then.
-  SvgPlot(std::string title, double x, double y, double width, double height, bool logarithmic = false);
+  /// y is drawn by its logarithm if `logarithmic`, and values not above 0 are left out then.
+  explicit SvgPlot(std::string title, bool logarithmic = false);
 
   /// Names both axes.
   void axes(std::string horizontal, std::string vertical);
   /// Adds a line. Values that are not finite are left out.
   void add(const SvgLine& line, std::string colour, std::string name);
-  /// The elements. A diagram without a finite point is a frame with its title.
-  std::string text() const;
+  /// The elements; the axes are the sides of the frame, their words stand around it. A diagram without a finite point
+  /// is a frame with its title.
+  std::string text(const Frame& frame) const;
 
  private:
   struct Named {
@@ -47,15 +56,11 @@ class SvgPlot {
   };
 
   Span span(bool vertical) const;
-  std::string ticks(const Span& across, const Span& up) const;
+  std::string ticks(const Frame& frame, const Span& across, const Span& up) const;
 
   std::string title_;
   std::string horizontal_;
   std::string vertical_;
-  double x_;
-  double y_;
-  double width_;
-  double height_;
   bool logarithmic_;
   std::vector<Named> lines_;
 };

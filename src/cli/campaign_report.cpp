@@ -193,11 +193,7 @@ std::size_t write_cases(const std::vector<SeriesReport>& reports, const CaseFile
   for (const SeriesReport& report : reports) {
     for (const Failure& failure : report.failures) {
       if (count == most) return count;
-      if (count++ == 0) {
-        std::error_code error;
-        std::filesystem::create_directories(files.folder, error);
-        if (error) throw FileError(files.folder, "cannot be made: " + error.message());
-      }
+      if (count++ == 0) make_folder(files.folder);
       write_file(files.path(failure), failure.saved.text);
     }
   }

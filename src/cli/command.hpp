@@ -43,6 +43,7 @@ std::function<int()> define_construct(CLI::App& app);
 std::function<int()> define_convert(CLI::App& app);
 std::function<int()> define_example(CLI::App& app);
 std::function<int()> define_explain(CLI::App& app);
+std::function<int()> define_figures(CLI::App& app);
 std::function<int()> define_fit(CLI::App& app);
 std::function<int()> define_list(CLI::App& app);
 std::function<int()> define_recover(CLI::App& app);

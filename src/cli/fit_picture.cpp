@@ -93,15 +93,15 @@ figures::SvgLine line_of(const std::vector<SampledRuling>& rulings, double Sampl
 }
 
 std::string diagrams(const FittedStrip& strip) {
-  figures::SvgPlot mapping("mapping", 60, 460, 230, 230);
+  figures::SvgPlot mapping("mapping");
   mapping.axes("t", "T");
   mapping.add(line_of(strip.old_rulings, &SampledRuling::target), old_colour, "T = t");
   mapping.add(line_of(strip.rulings, &SampledRuling::target), new_colour, "fitted");
-  figures::SvgPlot warp("warp along the first rail", 370, 460, 230, 230, true);
+  figures::SvgPlot warp("warp along the first rail", true);
   warp.axes("t", "degrees");
   warp.add(line_of(strip.old_rulings, &SampledRuling::warp), old_colour, "T = t");
   warp.add(line_of(strip.rulings, &SampledRuling::warp), new_colour, "fitted");
-  figures::SvgPlot convergence("convergence", 690, 460, 230, 230, true);
+  figures::SvgPlot convergence("convergence", true);
   convergence.axes("milliseconds", strip.method.paper ? "objective" : "degrees");
   figures::SvgLine curve;
   if (strip.method.fit) {
@@ -112,7 +112,7 @@ std::string diagrams(const FittedStrip& strip) {
       curve.emplace_back(1000 * step.seconds, step.objective);
   }
   convergence.add(curve, new_colour, "least so far");
-  return mapping.text() + warp.text() + convergence.text();
+  return mapping.text({60, 460, 230, 230}) + warp.text({370, 460, 230, 230}) + convergence.text({690, 460, 230, 230});
 }
 
 }  // namespace
@@ -128,7 +128,8 @@ std::string fit_svg(const FitTitle& title, const FittedStrip& strip) {
   svg += fmt::format(" <title>{}</title>\n", figures::svg_escaped(title.name));
   svg +=
       " <style>text{font:11px sans-serif;fill:#333}.title{font-weight:bold;font-size:13px}.grid{stroke:#ddd}"
-      ".frame{fill:none;stroke:#888}polyline{fill:none;stroke-width:1.5}.ruling{stroke:#0004;fill:none}"
+      ".frame{fill:none;stroke:#888}.legend{paint-order:stroke;stroke:white;stroke-width:3px}polyline{fill:none;stroke-"
+      "width:1.5}.ruling{stroke:#0004;fill:none}"
       "path{stroke-width:0.5}</style>\n <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
   const auto panel = [&](const char* name, const quasi::WarpStatistics& warp, const std::vector<SampledRuling>& rulings,
                          double x) {

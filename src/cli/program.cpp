@@ -26,6 +26,7 @@ constexpr Command commands[] = {
     {"check", "decide exactly whether ruled surfaces are developable, and their class", define_check},
     {"construct", "make a developable surface through a curve", define_construct},
     {"fit", "the most developable ruled surface between two rails", define_fit},
+    {"figures", "the papers' figures as SVG, drawn from computed surfaces", define_figures},
     {"recover", "Lambda, M, sigma, class, edge and singular parameters from the net alone", define_recover},
     {"convert", "write ruled surfaces as STEP, IGES, OBJ, STL, glTF or JSON", define_convert},
     {"campaign", "properties over ranges of seeds, in a database that can be resumed, merged and compared",

@@ -93,4 +93,12 @@ void write_file(const std::string& path, std::string_view content) {
   replace_file(path, resolved.empty() ? fs::path(path) : resolved, content);
 }
 
+void make_folder(const std::string& path) {
+  std::error_code failure;
+  fs::create_directories(path, failure);
+  if (!fs::is_directory(path))
+    throw FileError(
+        path, "cannot be made: " + (failure ? failure : std::make_error_code(std::errc::not_a_directory)).message());
+}
+
 }  // namespace torse

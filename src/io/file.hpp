@@ -1,6 +1,7 @@
 // Whole files.
 //   read_file        the bytes of a file, "-" for the standard input
 //   write_file       all or nothing, "-" for the standard output
+//   make_folder      a folder to write into
 #pragma once
 
 #include <string>
@@ -17,5 +18,8 @@ std::string read_file(const std::string& path);
 /// error leaves the old file, or none. What is not a regular file (a device, a pipe) is written directly. Throws
 /// FileError.
 void write_file(const std::string& path, std::string_view content);
+
+/// Makes the folder and those above it, unless they are there. Throws FileError.
+void make_folder(const std::string& path);
 
 }  // namespace torse
