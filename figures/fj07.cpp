@@ -139,11 +139,11 @@ Figure figure6() {
   Scene scene = net_scene(patch.surface, drawn, {-60, 25}, false);
   const KnotList<Rational>& u = patch.surface.knots;
   std::vector<Vector> meetings;
-  for (int i = 0; i <= 8; ++i) {
-    const Rational t = fraction(i, 8);
+  for (int i = 0; i <= 48; ++i) {
+    const Rational t = fraction(i, 48);
     const Vector meeting = place(tangent_point<Rational, Row>(u, patch.surface.c, 1, t, at(patch.lambda)));
     meetings.push_back(meeting);
-    if (i % 4 != 2) continue;
+    if (i % 24 != 12) continue;
     const double at_t = t.to_double();
     scene.line({drawn.c(at_t), meeting}, {c_colour, 1, true});
     scene.line({drawn.d(at_t), meeting}, {d_colour, 1, true});

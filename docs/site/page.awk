@@ -1,0 +1,15 @@
+# A guide for Doxygen, which names headings in its own way: links to a heading of another page become links to the page,
+# those to a heading of the same page become text.
+{
+  while (match($0, /\]\([a-z0-9\/._-]+\.md#[^)]*\)/)) {
+    link = substr($0, RSTART, RLENGTH)
+    sub(/#[^)]*/, "", link)
+    $0 = substr($0, 1, RSTART - 1) link substr($0, RSTART + RLENGTH)
+  }
+  while (match($0, /\[[^][]*\]\(#[^)]*\)/)) {
+    link = substr($0, RSTART + 1, RLENGTH - 1)
+    sub(/\]\(#.*/, "", link)
+    $0 = substr($0, 1, RSTART - 1) link substr($0, RSTART + RLENGTH)
+  }
+  print
+}
