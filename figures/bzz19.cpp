@@ -27,7 +27,7 @@ struct KnownRails {
   Mapping<Rational> sigma;
 };
 
-Curve second_rail() { return {bezier_knots<Rational>(3), rows_of({{0, 0, 0}, {2, 3, 0}, {6, 3, 1}, {8, 0, 2}})}; }
+Curve second_rail() { return {bezier_knots<Rational>(3), rows_of({{0, 0, 0}, {2, 3, 0}, {6, 3, 2}, {8, 0, 1}})}; }
 
 Mapping<Rational> polynomial_mapping(const std::vector<Rational>& beta) {
   return mapping_of(bezier_knots<Rational>(static_cast<int>(beta.size()) - 1), beta);

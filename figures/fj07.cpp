@@ -18,7 +18,7 @@ namespace {
 Rational fraction(int p, int q = 1) { return ratio<Rational>(p, q); }
 
 const std::vector<Row>& directrix() {
-  static const std::vector<Row> rows = rows_of({{0, 0, 0}, {2, 3, 0}, {6, 3, 1}, {8, 0, 2}});
+  static const std::vector<Row> rows = rows_of({{0, 0, 0}, {2, 3, 0}, {6, 3, 2}, {8, 0, 1}});
   return rows;
 }
 
