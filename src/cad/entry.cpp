@@ -30,6 +30,18 @@ class Formats final : public CadFormats {
     }
   }
 
+  std::string read_curves(CadFormat format, const std::string& path, CadCurves& curves) noexcept override {
+    try {
+      curves = format == CadFormat::step ? read_step_curves(path) : read_iges_curves(path);
+      return {};
+    } catch (const Standard_Failure& failure) {
+      const std::string damage = complaint(format, path);
+      return (damage.empty() ? "" : damage + ": ") + "OpenCASCADE cannot read it: " + failure.GetMessageString();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  }
+
   std::string complaint(CadFormat format, const std::string& path) noexcept override {
     try {
       return first_complaint(format, path);

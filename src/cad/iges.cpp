@@ -1,4 +1,4 @@
-// IGES: trimmed and bounded surfaces, faces of solids, and the surfaces that belong to none.
+// IGES: trimmed and bounded surfaces, faces of solids, and the surfaces that belong to none; curves.
 #include <BRep_Tool.hxx>
 #include <IGESBasic_Name.hxx>
 #include <IGESControl_Reader.hxx>
@@ -27,6 +27,7 @@
 #include <gp_GTrsf.hxx>
 #include <string_view>
 
+#include "torse/cad/curves.hpp"
 #include "torse/cad/face.hpp"
 #include "torse/cad/iges_curve.hpp"
 #include "torse/cad/read.hpp"
@@ -44,6 +45,12 @@ Handle(T) as(const Handle(Standard_Transient) & object) {
 /// The surface types of IGES, by entity number.
 bool is_surface(int type) {
   constexpr int types[] = {108, 114, 118, 120, 122, 128, 140, 190, 192, 194, 196, 198};
+  return std::ranges::find(types, type) != std::end(types);
+}
+
+/// The curve types.
+bool is_curve(int type) {
+  constexpr int types[] = {100, 102, 104, 106, 110, 112, 126};
   return std::ranges::find(types, type) != std::end(types);
 }
 
@@ -133,6 +140,26 @@ class IgesFile {
       model.faces.push_back(std::move(face));
     }
     return model;
+  }
+
+  CadCurves read_curves() {
+    const double metres = exact_metres(millimetres_ / 1000);
+    CadCurves curves{.unit = unit_name(metres), .metres = metres, .tolerance = model_->GlobalSection().Resolution()};
+    for (int i = 1; i <= model_->NbEntities(); ++i) {
+      const Entity entity = as<IGESData_IGESEntity>(model_->Value(i));
+      if (!entity.IsNull() && is_curve(entity->TypeNumber())) require_sound(model_, entity);
+    }
+    reader_.TransferRoots();
+    const Handle(Transfer_TransientProcess) process = reader_.WS()->TransferReader()->TransientProcess();
+    CurveNames names;
+    for (int i = 1; i <= model_->NbEntities(); ++i) {
+      const Entity entity = as<IGESData_IGESEntity>(model_->Value(i));
+      if (entity.IsNull() || !is_curve(entity->TypeNumber())) continue;
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+      if (!shape.IsNull()) names[shape.TShape().get()] = name_of(entity);
+    }
+    for (int i = 1; i <= reader_.NbShapes(); ++i) add_curves(reader_.Shape(i), names, curves);
+    return curves;
   }
 
  private:
@@ -292,5 +319,7 @@ class IgesFile {
 }  // namespace
 
 CadModel read_iges(const std::string& path) { return IgesFile(path).read(); }
+
+CadCurves read_iges_curves(const std::string& path) { return IgesFile(path).read_curves(); }
 
 }  // namespace torse::cad

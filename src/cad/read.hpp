@@ -2,6 +2,7 @@
 //   Unreadable       why a file cannot be used
 //   complaint_of     what OpenCASCADE found wrong with an entity         first_complaint     of a file
 //   read_model       by format      read_step, read_iges      in the file's own unit
+//   read_step_curves, read_iges_curves                        the same of curves that bound no face
 #pragma once
 
 #include <Interface_InterfaceModel.hxx>
@@ -29,5 +30,7 @@ std::string first_complaint(CadFormat format, const std::string& path);
 CadModel read_model(CadFormat format, const std::string& path);
 CadModel read_step(const std::string& path);
 CadModel read_iges(const std::string& path);
+CadCurves read_step_curves(const std::string& path);
+CadCurves read_iges_curves(const std::string& path);
 
 }  // namespace torse::cad

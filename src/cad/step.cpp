@@ -1,4 +1,4 @@
-// STEP: the faces of a file and the surfaces that belong to none.
+// STEP: the faces of a file and the surfaces that belong to none; its curves.
 #include <BRep_Tool.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
@@ -17,6 +17,7 @@
 #include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <StepRepr_Representation.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_Face.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepToGeom.hxx>
@@ -30,6 +31,7 @@
 #include <map>
 #include <set>
 
+#include "torse/cad/curves.hpp"
 #include "torse/cad/face.hpp"
 #include "torse/cad/read.hpp"
 #include "torse/cad/step_net.hpp"
@@ -108,7 +110,36 @@ class StepFile {
     return model;
   }
 
+  CadCurves read_curves() {
+    const Interface_Graph graph(model_, reader_.WS()->Protocol());
+    Units units;
+    for (int i = 1; i <= model_->NbEntities(); ++i) {
+      const Entity entity = model_->Value(i);
+      if (entity->IsKind(STANDARD_TYPE(StepGeom_Curve))) require_sound_below(graph, entity);
+      const auto representation = as<StepRepr_Representation>(entity);
+      if (!representation.IsNull() && !(units.metres > 0)) units = units_of(representation->ContextOfItems());
+    }
+    if (!(units.metres > 0)) units.metres = 1e-3;
+    transfer(units);
+    CadCurves curves{.unit = unit_name(units.metres), .metres = units.metres, .tolerance = units.tolerance};
+    const CurveNames names = names_of_shapes();
+    for (int i = 1; i <= reader_.NbShapes(); ++i) add_curves(reader_.Shape(i), names, curves);
+    return curves;
+  }
+
  private:
+  CurveNames names_of_shapes() const {
+    const Handle(Transfer_TransientProcess) process = reader_.WS()->TransferReader()->TransientProcess();
+    CurveNames names;
+    for (int i = 1; i <= model_->NbEntities(); ++i) {
+      const auto item = as<StepRepr_RepresentationItem>(model_->Value(i));
+      if (item.IsNull() || text_of(item->Name()).empty()) continue;
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item);
+      if (!shape.IsNull()) names[shape.TShape().get()] = text_of(item->Name());
+    }
+    return names;
+  }
+
   /// In the order of the file.
   std::vector<Item> find_items(const Interface_Graph& graph) const {
     std::vector<Item> items;
@@ -241,5 +272,7 @@ class StepFile {
 }  // namespace
 
 CadModel read_step(const std::string& path) { return StepFile(path).read(); }
+
+CadCurves read_step_curves(const std::string& path) { return StepFile(path).read_curves(); }
 
 }  // namespace torse::cad

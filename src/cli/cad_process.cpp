@@ -122,11 +122,16 @@ class MemoryFile {
   int descriptor_;
 };
 
-std::string run_reader(const std::string& file, CadFormat format, const std::string& bytes) {
+/// What a member of the plugin reads from a file.
+template <class T>
+using ReadMember = std::string (CadFormats::*)(CadFormat, const std::string&, T&) noexcept;
+
+template <class T>
+std::string run_reader(const std::string& file, CadFormat format, const std::string& bytes, ReadMember<T> member) {
   return run_cad(file, bytes.size(), [&](CadFormats& formats) {
-    CadModel read;
+    T read;
     const MemoryFile copy(bytes);
-    const std::string reason = formats.read(format, copy.path(), read);
+    const std::string reason = (formats.*member)(format, copy.path(), read);
     if (!reason.empty()) throw Error(reason);
     return cad_bytes(read);
   });
@@ -139,6 +144,17 @@ std::string complaint_about(const std::string& file, CadFormat format, const std
                    [&](CadFormats& formats) { return formats.complaint(format, MemoryFile(bytes).path()); });
   } catch (const FileError&) {
     return "";
+  }
+}
+
+/// The bytes of what was read; a crash is explained as far as possible.
+template <class T>
+std::string read_bytes(const std::string& file, CadFormat format, const std::string& bytes, ReadMember<T> member) {
+  try {
+    return run_reader(file, format, bytes, member);
+  } catch (const CadCrash& crash) {
+    const std::string complaint = complaint_about(file, format, bytes);
+    throw FileError(file, complaint.empty() ? crash.reason() : complaint + " (" + crash.reason() + ")");
   }
 }
 
@@ -170,14 +186,11 @@ std::string run_cad(const std::string& file, std::size_t size, const std::functi
 }
 
 CadModel read_cad(const std::string& file, CadFormat format, const std::string& bytes) {
-  std::string model;
-  try {
-    model = run_reader(file, format, bytes);
-  } catch (const CadCrash& crash) {
-    const std::string complaint = complaint_about(file, format, bytes);
-    throw FileError(file, complaint.empty() ? crash.reason() : complaint + " (" + crash.reason() + ")");
-  }
-  return cad_model(model);
+  return cad_model(read_bytes<CadModel>(file, format, bytes, &CadFormats::read));
+}
+
+CadCurves read_cad_curves(const std::string& file, CadFormat format, const std::string& bytes) {
+  return cad_curves(read_bytes<CadCurves>(file, format, bytes, &CadFormats::read_curves));
 }
 
 }  // namespace torse::cli

@@ -2,6 +2,7 @@
 //   CadCrash          what it did not survive
 //   run_cad           a task for the plugin in a child with limits of time and memory
 //   read_cad          the model of a STEP or IGES file
+//   read_cad_curves   its curves
 #pragma once
 
 #include <functional>
@@ -25,5 +26,8 @@ std::string run_cad(const std::string& file, std::size_t size, const std::functi
 
 /// Reads the bytes of a file. Throws FileError.
 CadModel read_cad(const std::string& file, CadFormat format, const std::string& bytes);
+
+/// Reads the curves in the bytes of a file. Throws FileError.
+CadCurves read_cad_curves(const std::string& file, CadFormat format, const std::string& bytes);
 
 }  // namespace torse::cli

@@ -166,6 +166,11 @@ RuledFile<Rational> surface_of(const CadStrip& strip, const CadPlacement& placem
   return {c.knots, placed(c.control, placement), placed(d.control, placement)};
 }
 
+CurveFile<Rational> curve_file(const CadRail& rail, const CadPlacement& placement) {
+  const Curve curve = curve_of(rail);
+  return {curve.knots, placed(curve.control, placement)};
+}
+
 bool speeds_are_proportional(const RuledFile<Rational>& surface) {
   const std::vector<Row> p = homogeneous(surface.c);
   const std::vector<Row> q = homogeneous(surface.d);

@@ -13,12 +13,12 @@
 #include "torse/cli/conversion.hpp"
 #include "torse/cli/fit_plate.hpp"
 #include "torse/cli/fit_report.hpp"
+#include "torse/cli/rails.hpp"
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/number.hpp"
 #include "torse/io/text.hpp"
-#include "torse/spline/compatible.hpp"
 
 namespace torse::cli {
 namespace {
@@ -26,7 +26,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct FitCommand {
-  std::string input;
+  RailsInput input;
   std::vector<std::string> outputs;
   std::string method = "warp";
   std::string measure = "mean";
@@ -35,7 +35,6 @@ struct FitCommand {
   int coefficients = 50;
   bool even_knots = false;
   bool regular = false;
-  bool reverse = false;
   std::string picture;
   std::vector<std::string> plates;
   std::string extend = "0.1";
@@ -87,7 +86,7 @@ FitWishes wishes_of(const FitCommand& command) {
   constexpr std::array simplest{std::pair{"knots", Simplest::knots}, std::pair{"degree", Simplest::degree},
                                 std::pair{"points", Simplest::points}};
   FitWishes wishes;
-  wishes.file = command.input;
+  wishes.file = command.input.file;
   wishes.method = choice("--method", command.method, methods);
   wishes.options = {.degree = command.degree,
                     .coefficients = command.coefficients,
@@ -106,52 +105,28 @@ FitWishes wishes_of(const FitCommand& command) {
   return wishes;
 }
 
-CurveFile<Rational> reversed(const CurveFile<Rational>& curve) {
-  const auto rows = homogeneous(curve.net);
-  const Spline<Rational, Vec<Rational, 4>> back =
-      reversed_spline(Spline<Rational, Vec<Rational, 4>>(curve.knots, rows));
-  return {back.knots, dehomogenize<Rational, 4>(back.control)};
-}
-
-RailsFile<Rational> rails_of(const FitCommand& command) {
-  const Document document(command.input, read_file(command.input));
-  RailsFile<Rational> rails = read_rails<Rational>(document);
-  if (command.reverse) rails.d = reversed(rails.d);
-  return rails;
-}
-
-Rational squared_distance(const Vec<Rational, 3>& x, const Vec<Rational, 3>& y) {
-  const Vec<Rational, 3> w = difference(x, y);
-  return dot(w, w);
-}
-
-/// The end points of a rail.
-std::pair<Vec<Rational, 3>, Vec<Rational, 3>> ends_of(const CurveFile<Rational>& curve) {
-  const Spline<Rational, Vec<Rational, 4>> rows(curve.knots, homogeneous(curve.net));
-  const std::vector<int> pieces = curve.knots.proper_pieces();
-  const auto at = [&](int k, const Rational& t) {
-    return dehomogenize<Rational, 4>({curve_point(rows.knots, rows.points(), k, t)}).points.front();
-  };
-  return {at(pieces.front(), curve.knots.domain_begin()), at(pieces.back(), curve.knots.domain_end())};
-}
-
-/// Whether the rails run in opposite directions, as far as the distances of their ends tell.
-bool opposite(const RailsFile<Rational>& rails) {
-  const auto [c0, c1] = ends_of(rails.c);
-  const auto [d0, d1] = ends_of(rails.d);
-  return squared_distance(c0, d1) + squared_distance(c1, d0) < squared_distance(c0, d0) + squared_distance(c1, d1);
-}
-
 Face face_of(const FitCommand& command, const FittedStrip& strip) {
-  return {.file = command.input, .name = name_of_file(command.input), .surface = strip.surface};
+  return {.file = command.input.file, .name = name_of_file(command.input.file), .surface = strip.surface};
 }
 
-std::string bytes_of(const std::string& output, const Face& face) {
-  if (output == "-") return write_ruled(*face.surface);
-  const OutputFormat format = format_of(output);
+/// A CAD tolerance where the input states none.
+constexpr double usual_tolerance = 1e-7;
+
+/// glTF is in metres, a unit that STEP and IGES cannot name becomes millimetres; else the numbers keep their unit.
+LengthUnit unit_of_output(OutputFormat format, const LengthUnit& unit) {
+  if (format == OutputFormat::gltf || format == OutputFormat::glb) return metres();
+  return is_cad(format) && unit.step_name.empty() ? millimetres() : unit;
+}
+
+std::string bytes_of(const std::string& output, Face face, const InputRails& input) {
+  const OutputFormat format = output == "-" ? OutputFormat::json : format_of(output);
   if (format == OutputFormat::json) return write_ruled(*face.surface);
+  const LengthUnit unit = unit_of_output(format, input.unit);
+  const Rational factor = input.unit.metres / unit.metres;
+  if (factor != Rational(1)) face.surface = scaled_surface(*std::move(face.surface), factor);
   if (is_mesh(format)) return convert_to_mesh({face}, format, std::nullopt).bytes;
-  return convert_to_cad({face}, {format, millimetres(), 1e-7, std::nullopt, printable(output)}).bytes;
+  const double tolerance = input.tolerance > 0 ? input.tolerance * factor.to_double() : usual_tolerance;
+  return convert_to_cad({face}, {format, unit, tolerance, std::nullopt, printable(output)}).bytes;
 }
 
 int code_of(const FitCommand& command, const FittedStrip& strip) {
@@ -163,7 +138,7 @@ int code_of(const FitCommand& command, const FittedStrip& strip) {
 std::vector<std::string> replay_words(const FitCommand& command) {
   std::vector<std::string> words{"torse",
                                  "fit",
-                                 command.input,
+                                 command.input.file,
                                  "--method",
                                  command.method,
                                  "--measure",
@@ -178,9 +153,10 @@ std::vector<std::string> replay_words(const FitCommand& command) {
   if (!command.within.empty()) {
     words.insert(words.end(), {"--within", command.within, "--simplest", command.simplest});
   }
+  if (!command.input.c.empty()) words.insert(words.end(), {"--c", command.input.c, "--d", command.input.d});
   if (command.even_knots) words.emplace_back("--even-knots");
   if (command.regular) words.emplace_back("--regular");
-  if (command.reverse) words.emplace_back("--reverse");
+  if (command.input.reverse) words.emplace_back("--reverse");
   if (!command.max_warp.empty()) words.insert(words.end(), {"--max-warp", command.max_warp});
   for (const std::string& output : command.outputs) words.insert(words.end(), {"-o", output});
   for (const std::string& plate : command.plates) words.insert(words.end(), {"--unroll", plate});
@@ -188,28 +164,28 @@ std::vector<std::string> replay_words(const FitCommand& command) {
 }
 
 int fit(const FitCommand& command, const FitWishes& wishes) {
-  const RailsFile<Rational> rails = rails_of(command);
+  const InputRails input = read_input_rails(command.input);
   const FittedStrip strip = [&] {
     try {
-      return fit_strip(rails, wishes);
+      return fit_strip(input.rails, wishes);
     } catch (const InvalidInput& invalid) {
-      throw FileError(command.input, invalid.what());
+      throw FileError(command.input.file, invalid.what());
     }
   }();
   const Face face = face_of(command, strip);
   std::vector<std::string> bytes;
-  for (const std::string& output : command.outputs) bytes.push_back(bytes_of(output, face));
-  const std::optional<Unrolled> plate = fitted_plate(command.plates, face, millimetres());
+  for (const std::string& output : command.outputs) bytes.push_back(bytes_of(output, face, input));
+  const std::optional<Unrolled> plate = fitted_plate(command.plates, face, input.unit);
   for (std::size_t i = 0; i < bytes.size(); ++i) write_file(command.outputs[i], bytes[i]);
   if (plate) write_plates(command.plates, *plate);
 
-  const FitTitle title{printable(command.input), face.name, command.method, command.measure, command.ends};
+  const FitTitle title{printable(command.input.file), face.name, command.method, command.measure, command.ends};
   if (!command.picture.empty()) write_file(command.picture, fit_svg(title, strip));
   const bool stdout_taken = command.json == "-" || std::ranges::count(command.outputs, "-") > 0;
   const Terminal terminal(stdout_taken ? stderr : stdout);
   if (command.json != "-") {
     terminal.print(fit_text(title, strip, terminal));
-    if (opposite(rails)) {
+    if (opposite(input.rails)) {
       terminal.print("  the rails run in opposite directions, it seems: --reverse takes the second one from its end\n");
     }
     if (plate) terminal.print(fit_plate_text(*plate, terminal));
@@ -245,8 +221,12 @@ int run_fit(const FitCommand& command) {
 
 std::function<int()> define_fit(CLI::App& app) {
   const auto command = std::make_shared<FitCommand>();
-  app.add_option("RAILS", command->input, "two curves, torse's JSON of type \"rails\"; - is standard input")
+  app.add_option("RAILS", command->input.file,
+                 "two curves: torse's JSON of type \"rails\", STEP or IGES; - is standard input")
       ->required();
+  app.add_option("--c", command->input.c, "the first rail among the curves of a STEP or IGES file")
+      ->type_name("NAME|NUMBER");
+  app.add_option("--d", command->input.d, "the second rail")->type_name("NAME|NUMBER");
   app.add_option("-o,--output", command->outputs,
                  "the ruled surface: .json (- on standard output), .step, .iges, .obj, .stl, .gltf or .glb")
       ->required()
@@ -268,7 +248,7 @@ std::function<int()> define_fit(CLI::App& app) {
   app.add_flag("--even-knots", command->even_knots, "evenly spaced knots of the mapping, not where the warp is");
   app.add_flag("--regular", command->regular,
                "count angles beyond 90 degrees, where the surface folds over, as what they are");
-  app.add_flag("--reverse", command->reverse, "take the second rail from its end to its begin");
+  app.add_flag("--reverse", command->input.reverse, "take the second rail from its end to its begin");
   app.add_option("--within", command->within, "a simpler surface is enough, off by at most LENGTH in the rails' unit")
       ->type_name("LENGTH");
   app.add_option("--simplest", command->simplest, "what it has few of: control points, knots or its degree is low")

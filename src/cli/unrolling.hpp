@@ -32,7 +32,7 @@ Angle read_plate_warp(const std::string& text);
 
 struct UnrollWishes {
   std::string tolerance{};  ///< a number; empty for a share of the size
-  int rulings = 10;       ///< parts between marked rulings
+  int rulings = 10;         ///< parts between marked rulings
   std::string max_warp = default_plate_warp;
   std::string limit_name = "--max-warp ";  ///< what stands before that angle in a refusal
   LengthUnit unit = millimetres();

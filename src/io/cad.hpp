@@ -5,6 +5,7 @@
 //   CadRevolution             a straight line that turns about an axis
 //   CadStrip                  one of these, cut to the face's parameters
 //   CadFace, CadModel         the faces of a file
+//   CadCurve, CadCurves       the curves of a file that bound no face
 //   CadSheet, CadSheets       the ruled surfaces for a file
 //   CadFormats                the plugin                     cad_entry      the name of the function that makes it
 #pragma once
@@ -114,6 +115,26 @@ struct CadModel {
   std::vector<CadFace> faces{};
 };
 
+/// A curve that bounds no face.
+struct CadCurve {
+  /// From 1, in the order of the file.
+  int number = 0;
+  /// As the file has it, empty for none.
+  std::string name{};
+  /// None for a curve that cannot be used, and then `reason` says why.
+  std::optional<CadRail> rail{};
+  std::string reason{};
+  CadPlacement placement = cad_identity;
+};
+
+/// The curves of a file. Lengths are in its own unit, as in CadModel.
+struct CadCurves {
+  std::string unit{};
+  double metres = 0;
+  double tolerance = 0;
+  std::vector<CadCurve> curves{};
+};
+
 /// A ruled surface to write: both rails over the same knots, whose ends are n + 1 times there, with positive weights;
 /// the rulings join equal parameters.
 struct CadSheet {
@@ -146,6 +167,8 @@ class CadFormats {
   virtual std::string version() const = 0;
   /// Reads a file. Returns what is wrong with it, or an empty text.
   virtual std::string read(CadFormat format, const std::string& path, CadModel& model) noexcept = 0;
+  /// Reads the curves of a file, which may have none. Returns what is wrong with it, or an empty text.
+  virtual std::string read_curves(CadFormat format, const std::string& path, CadCurves& curves) noexcept = 0;
   /// The first entity of a file that does not fit its definition, with what is wrong; empty for none.
   virtual std::string complaint(CadFormat format, const std::string& path) noexcept = 0;
   /// The bytes of a file. Every number reads back as the same double. Returns why there is none, or an empty text.

@@ -144,26 +144,44 @@ void pass(A& a, CadModel& x) {
   all(a, x.unit, x.metres, x.tolerance, x.faces);
 }
 
+template <class A>
+void pass(A& a, CadCurve& x) {
+  all(a, x.number, x.name, x.rail, x.reason, x.placement);
+}
+template <class A>
+void pass(A& a, CadCurves& x) {
+  all(a, x.unit, x.metres, x.tolerance, x.curves);
+}
+
 template <class A, class... T>
 void all(A& a, T&... members) {
   (pass(a, members), ...);
 }
 
-}  // namespace
-
-std::string cad_bytes(const CadModel& model) {
+template <class T>
+std::string bytes_of(T copy) {
   Writer writer;
-  CadModel copy = model;
   all(writer, copy);
   return writer.take();
 }
 
-CadModel cad_model(std::string_view bytes) {
+template <class T>
+T from_bytes(std::string_view bytes) {
   Reader reader(bytes);
-  CadModel model;
+  T model;
   all(reader, model);
   if (!reader.done()) throw Error("cad_model: expected no more bytes");
   return model;
 }
+
+}  // namespace
+
+std::string cad_bytes(const CadModel& model) { return bytes_of(model); }
+
+std::string cad_bytes(const CadCurves& curves) { return bytes_of(curves); }
+
+CadModel cad_model(std::string_view bytes) { return from_bytes<CadModel>(bytes); }
+
+CadCurves cad_curves(std::string_view bytes) { return from_bytes<CadCurves>(bytes); }
 
 }  // namespace torse

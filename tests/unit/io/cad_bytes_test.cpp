@@ -49,6 +49,23 @@ TEST(CadBytes, AModelComesBack) {
   EXPECT_EQ(model.faces.back().reason, "not ruled");
 }
 
+TEST(CadBytes, CurvesComeBack) {
+  const CadRail rail{2, {0, 0, 0, 1, 1, 1}, {{0, 0, 0}, {1, 0.1, 0}, {1, 1, 0}}, {1, 0.5, 1}, CadRange{0, 0.5}};
+  CadCurve curve{.number = 1, .name = "chine", .rail = rail};
+  curve.placement[2][3] = 4;
+  const CadCurves curves{"m", 1, 1e-6, {curve, {.number = 2, .reason = "it has no curve in space"}}};
+  const CadCurves back = cad_curves(cad_bytes(curves));
+  EXPECT_EQ(cad_bytes(back), cad_bytes(curves));
+  EXPECT_EQ(back.metres, 1);
+  ASSERT_EQ(back.curves.size(), 2U);
+  EXPECT_EQ(back.curves[0].name, "chine");
+  EXPECT_EQ(back.curves[0].rail->part->to, 0.5);
+  EXPECT_EQ(back.curves[0].placement[2][3], 4);
+  EXPECT_FALSE(back.curves[1].rail);
+  EXPECT_EQ(back.curves[1].reason, "it has no curve in space");
+  EXPECT_THROW(cad_curves(cad_bytes(sample())), Error);
+}
+
 TEST(CadBytes, EveryPrefixIsAnError) {
   const std::string bytes = cad_bytes(sample());
   for (std::size_t size = 0; size < bytes.size(); ++size) {
