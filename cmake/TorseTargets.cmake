@@ -4,6 +4,7 @@
 #   torse_library(TARGET FOLDER LINK ...)      a static library of FOLDER/**/*.cpp (header-only while there is none)
 #   torse_program(TARGET FOLDER NAME N LINK .) the program <build>/N; all but main.cpp is a library, so tests reach it
 #   torse_plugin(TARGET FOLDER OF PROGRAM LINK ...)  a module of FOLDER/**/*.cpp beside the program, which opens it at run time
+#   torse_viewer(SOURCE FILE)                  puts FILE into the object of SOURCE, where FILE is there
 #   torse_tests(TARGET FOLDER LINK ...)        one GoogleTest program of FOLDER/**/*.cpp, each test known to ctest
 #   torse_fuzz_targets(FOLDER CORPUS LINK ...) one program for each file, on which ctest runs its corpus; with libFuzzer 2 seconds more
 #   torse_benchmarks(FOLDER LINK ...)          one program for each file
@@ -75,6 +76,12 @@ function(torse_plugin target folder)
                                              LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
   torse_options(${target})
   add_dependencies(${arg_OF} ${target})
+endfunction()
+
+function(torse_viewer source file)
+  if(EXISTS "${file}")
+    set_source_files_properties("${source}" PROPERTIES COMPILE_DEFINITIONS "TORSE_VIEWER=\"${file}\"" OBJECT_DEPENDS "${file}")
+  endif()
 endfunction()
 
 function(torse_tests target folder)

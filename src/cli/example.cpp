@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/examples.hpp"
+#include "torse/cli/html_report.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/io/file.hpp"
@@ -16,22 +18,12 @@
 namespace torse::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using proofs::ExampleRow;
 
-std::string json_of(const std::vector<ExampleRow>& rows) {
-  Json values = Json::array();
-  for (const ExampleRow& row : rows) {
-    values.push_back({{"group", row.group},
-                      {"label", row.label},
-                      {"printed", row.printed},
-                      {"computed", row.computed},
-                      {"equal", row.equal}});
-  }
-  return Json{{"torse", 1}, {"examples", {{{"id", "FJ21.E8"}, {"source", "FJ21, section 8"}, {"values", values}}}}}
-             .dump(1) +
-         "\n";
-}
+struct ExampleOptions {
+  std::string json;
+  HtmlOption html;
+};
 
 void print_rows(const std::vector<ExampleRow>& rows) {
   const Terminal terminal(stdout);
@@ -54,19 +46,22 @@ void print_rows(const std::vector<ExampleRow>& rows) {
   terminal.print(fmt::format("{} of {} printed values reproduced exactly\n", equal, rows.size()));
 }
 
-int run_example(const std::string& json) {
+int run_example(const ExampleOptions& options) {
+  require_viewer(options.html);
   const std::vector<ExampleRow> rows = proofs::section8_rows<Rational>();
-  if (!json.empty()) write_file(json, json_of(rows));
-  if (json != "-") print_rows(rows);
+  if (!options.json.empty()) write_file(options.json, examples_json(rows).dump(1) + "\n");
+  write_html(options.html, "Worked example", nlohmann::ordered_json::array({examples_section()}));
+  if (options.json != "-") print_rows(rows);
   return std::ranges::all_of(rows, &ExampleRow::equal) ? exit_code::success : exit_code::refuted;
 }
 
 }  // namespace
 
 std::function<int()> define_example(CLI::App& app) {
-  const auto json = std::make_shared<std::string>();
-  app.add_option("--json", *json, "write the values as JSON; - is standard output")->type_name("FILE");
-  return [json] { return run_example(*json); };
+  const auto options = std::make_shared<ExampleOptions>();
+  app.add_option("--json", options->json, "write the values as JSON; - is standard output")->type_name("FILE");
+  add_html_option(app, options->html);
+  return [options] { return run_example(*options); };
 }
 
 }  // namespace torse::cli

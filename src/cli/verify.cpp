@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -15,6 +16,8 @@
 
 #include "torse/cli/claims.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/examples.hpp"
+#include "torse/cli/html_report.hpp"
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
@@ -38,6 +41,7 @@ struct VerifyOptions {
   std::string ledger;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   ReportFiles reports;
+  HtmlOption html;
 
   bool whole() const {
     return selection.claims.empty() && selection.papers.empty() && selection.engines.empty() && selection.shards == 1;
@@ -201,8 +205,16 @@ std::vector<std::string> compare(const VerifyOptions& options, const std::vector
   }
 }
 
+/// The ledger and, unless the run is about some claims only, the worked examples.
+nlohmann::ordered_json html_sections(const VerifyOptions& options, const std::string& json) {
+  nlohmann::ordered_json sections{{{"kind", "ledger"}, {"data", nlohmann::ordered_json::parse(json)}}};
+  if (options.whole()) sections.push_back(examples_section());
+  return sections;
+}
+
 int run_verify(VerifyOptions& options) {
   check_options(options);
+  require_viewer(options.html);
   if (!options.baseline.empty()) static_cast<void>(read_file(options.baseline));
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Entry> entries =
@@ -210,11 +222,13 @@ int run_verify(VerifyOptions& options) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const std::vector<std::string> worse = compare(options, entries);
 
-  if (!options.reports.json.empty()) write_file(options.reports.json, proofs::json_report(entries, options.plan));
+  const std::string json = proofs::json_report(entries, options.plan);
+  if (!options.reports.json.empty()) write_file(options.reports.json, json);
   if (!options.ledger.empty()) write_file(options.ledger, proofs::ledger(entries, options.plan));
   std::vector<ReportCase> cases;
   for (const Entry& entry : entries) cases.push_back(case_of(entry, options.plan));
   write_case_reports(options.reports, cases);
+  write_html(options.html, "The papers' claims", html_sections(options, json));
   const int code = code_of(entries, !worse.empty());
   if (options.reports.use_stdout()) return code;
 
@@ -243,6 +257,7 @@ std::function<int()> define_verify(CLI::App& app) {
       ->check(CLI::Range(1U, 256U))
       ->capture_default_str();
   add_report_options(app, options->reports);
+  add_html_option(app, options->html);
   return [options] { return run_verify(*options); };
 }
 

@@ -22,7 +22,8 @@ struct Eq3_5 {
         .source = "equations (3.4), (3.5)",
         .title = "the blossom p[t,..,t,Lam] on a spline",
         .statement =
-            R"(p[t^{<n-1>},\Lambda]=(1-\Lambda_k)p_0^{n-1}(t)+\Lambda_k\,p_1^{n-1}(t)=p(t)+\tfrac{\Lambda-t}{n}\,p'(t),
+            R"(p[t^{\langle n-1\rangle},\Lambda]=(1-\Lambda_k)p_0^{n-1}(t)+\Lambda_k\,p_1^{n-1}(t)
+=p(t)+\tfrac{\Lambda-t}{n}\,p'(t),
 \qquad\Lambda_k=\frac{\Lambda-u_{n+k-2}}{u_{n+k-1}-u_{n+k-2}})",
         .hypotheses = {},
         .mutants = {"the global Lam in the place of the piece's Lam_k", "p'/(n+1) in the place of p'/n",
@@ -88,7 +89,7 @@ struct Eq4_4 {
                                 .statement = R"(p(t)=(1-t)p_0+t\,p_1,\ p'(t)=n(p_1-p_0);\quad
 p'-\lambda W-\mu W'-\nu p=(n(1+\mu)+t(\lambda-\nu))p_1+((1-t)(\lambda-\nu)-n(1+\mu))p_0-(\lambda t+n\mu)q_1
 -(\lambda(1-t)-n\mu)q_0,
-\quad p_i=p[t^{<n-1>},i],\ q_i=q[t^{<n-1>},i])",
+\quad p_i=p[t^{\langle n-1\rangle},i],\ q_i=q[t^{\langle n-1\rangle},i])",
                                 .hypotheses = {},
                                 .mutants = {"p_0 and p_1 exchanged in p(t)", "n+1 in the place of n", "the sign of nu"},
                                 .max_pieces = 1};

@@ -122,7 +122,7 @@ struct T3_1 {
         .source = "Theorem 3.1",
         .title = "characterisation by Lam, M, sigma",
         .statement = R"(\operatorname{rank}(p_0^{n-1},p_1^{n-1},q_0^{n-1},q_1^{n-1})(t)\le 3\iff
-p[t^{<n-1>},\Lambda(t)]=\sigma(t)\,q[t^{<n-1>},M(t)])",
+p[t^{\langle n-1\rangle},\Lambda(t)]=\sigma(t)\,q[t^{\langle n-1\rangle},M(t)])",
         .kind = Kind::equivalence,
         .hypotheses = {{"the dependence has lambda_0 + lambda_1 not 0", true},
                        {"the dependence has mu_0 + mu_1 not 0", false}},
@@ -201,10 +201,10 @@ struct T3_1_excluded {
     static const ClaimInfo info{.id = "FJ21.T3.1.excluded",
                                 .source = "Theorem 3.1, the excluded case",
                                 .title = "a developable surface without Lam, M, sigma",
-                                .statement = R"(q=p'\Rightarrow p_1^{n-1}-p_0^{n-1}=	frac1n q(t),\quad
-p[t^{<n-1>},\Lambda]-\sigma q[t^{<n-1>},M]=p+igl(	frac{\Lambda-t}{n}-\sigmaigr)p'-\sigma	frac{M-t}{n}\,p''
-e 0
-	ext{ where } p,p',p''	ext{ are independent})",
+                                .statement = R"(q=p'\Rightarrow p_1^{n-1}-p_0^{n-1}=\tfrac1n q(t),\quad
+p[t^{\langle n-1\rangle},\Lambda]-\sigma q[t^{\langle n-1\rangle},M]
+=p+\bigl(\tfrac{\Lambda-t}{n}-\sigma\bigr)p'-\sigma\tfrac{M-t}{n}\,p''\ne 0
+\text{ where } p,p',p''\text{ are independent})",
                                 .kind = Kind::equivalence,
                                 .hypotheses = {},
                                 .mutants = {"the hodograph not raised to degree n but scaled by 1/n",

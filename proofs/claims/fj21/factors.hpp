@@ -61,8 +61,8 @@ struct Eq5_3 : Takes<FactorInput> {
             R"(\tilde p=fp,\ \tilde q=gq:\ \Lambda=\frac{nf(t)\tilde\Lambda+f(\tilde\Lambda)t}{nf(t)+f(\tilde\Lambda)},\
 M=\frac{ng(t)\tilde M+g(\tilde M)t}{ng(t)+g(\tilde M)},\
 \sigma=\frac{ng(t)+g(\tilde M)}{nf(t)+f(\tilde\Lambda)}\tilde\sigma;\quad
-\tilde p[t^{<n>},\tilde\Lambda]-\tilde\sigma\tilde q[t^{<n>},\tilde M]
-=\tfrac{nf(t)+f(\tilde\Lambda)}{n+1}\bigl(p[t^{<n-1>},\Lambda]-\sigma q[t^{<n-1>},M]\bigr))",
+\tilde p[t^{\langle n\rangle},\tilde\Lambda]-\tilde\sigma\tilde q[t^{\langle n\rangle},\tilde M]
+=\tfrac{nf(t)+f(\tilde\Lambda)}{n+1}\bigl(p[t^{\langle n-1\rangle},\Lambda]-\sigma q[t^{\langle n-1\rangle},M]\bigr))",
         .kind = Kind::equivalence,
         .hypotheses = {{"n f(t) + f(Lam~) is not 0", false},
                        {"n g(t) + g(M~) is not 0", false},

@@ -158,8 +158,9 @@ struct Eq5_2 {
         .title = "Lam, M, sigma under a Moebius transformation",
         .statement = R"(\tilde\Lambda=\frac{b\Lambda}{1+(b-1)\Lambda},\ \tilde M=\frac{bM}{1+(b-1)M},\
 \tilde\sigma=\sigma\frac{1+(b-1)M}{1+(b-1)\Lambda}\ \text{at } t(u);\quad
-\tilde p[u^{<n-1>},\tilde\Lambda]-\tilde\sigma\tilde q[u^{<n-1>},\tilde M]
-=((1-b)u+b)^{n-1}\bigl((1-b)\tilde\Lambda+b\bigr)\bigl(p[t^{<n-1>},\Lambda]-\sigma q[t^{<n-1>},M]\bigr))",
+\tilde p[u^{\langle n-1\rangle},\tilde\Lambda]-\tilde\sigma\tilde q[u^{\langle n-1\rangle},\tilde M]
+=((1-b)u+b)^{n-1}\bigl((1-b)\tilde\Lambda+b\bigr)
+\bigl(p[t^{\langle n-1\rangle},\Lambda]-\sigma q[t^{\langle n-1\rangle},M]\bigr))",
         .kind = Kind::equivalence,
         .hypotheses = {{"(1-b) u + b is not 0", false},
                        {"1 + (b-1) Lam is not 0", false},

@@ -101,7 +101,7 @@ struct C4_1 {
 \sigma=\frac{\lambda}{\lambda-\nu};\quad\lambda=\frac{n\sigma}{E},\ \mu=\frac{\sigma(M-t)}{E},\
 \nu=\frac{n(\sigma-1)}{E},\
 E=\Lambda-\sigma M+t(\sigma-1);\quad
-p'-\lambda W-\mu W'-\nu p=\tfrac nE\bigl(p[t^{<n-1>},\Lambda]-\sigma q[t^{<n-1>},M]\bigr))",
+p'-\lambda W-\mu W'-\nu p=\tfrac nE\bigl(p[t^{\langle n-1\rangle},\Lambda]-\sigma q[t^{\langle n-1\rangle},M]\bigr))",
         .kind = Kind::equivalence,
         .hypotheses = {{"E is not 0", false},
                        {"sigma is not 0", false},

@@ -22,8 +22,9 @@ struct Eq7_1 {
         .source = "equation (7.1)",
         .title = "the net for constant Lam, M, sigma",
         .statement = R"((u_{j+n}-\Lambda)p_j+(\Lambda-u_j)p_{j+1}=\sigma\bigl((u_{j+n}-M)q_j+(M-u_j)q_{j+1}\bigr)\iff
-p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]\iff p[t^{<n-1>},\Lambda]=\sigma q[t^{<n-1>},M],\quad
-(n-1)!\,F[t_1,\dots,t_{n-1}]=\sum_{S}(-1)^{n-1-|S|}F\bigl[(\textstyle\sum_{i\in S}t_i:|S|)^{<n-1>}\bigr])",
+p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]\iff
+p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M],\quad
+(n-1)!\,F[t_1,\dots,t_{n-1}]=\sum_{S}(-1)^{n-1-|S|}F\bigl[(\textstyle\sum_{i\in S}t_i:|S|)^{\langle n-1\rangle}\bigr])",
         .kind = Kind::equivalence,
         .hypotheses = {{"M is not a knot (on [0, 1]: not 0 or 1)", false}, {"sigma is not 0", false}},
         .mutants = {"Lam and M exchanged", "1/sigma in the place of sigma", "the last vertex of q moved",

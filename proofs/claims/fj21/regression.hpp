@@ -158,7 +158,8 @@ struct C6_1 {
         .source = "Corollary 6.1",
         .title = "the edge of regression is tangent to the rulings",
         .statement =
-            R"(r=(1-v)p+vq:\quad r'=(\alpha+v')(q-p)+\beta\,r\iff p[t^{<n-1>},\Lambda]=\sigma\,q[t^{<n-1>},M])",
+            R"(r=(1-v)p+vq:\quad r'=(\alpha+v')(q-p)+\beta\,r\iff
+p[t^{\langle n-1\rangle},\Lambda]=\sigma\,q[t^{\langle n-1\rangle},M])",
         .kind = Kind::equivalence,
         .hypotheses = {{"Lam - t + sigma (t-M) is not 0", false}},
         .mutants = {"v' left out", "the derivative of sigma left out of v'", "alpha - v' in the place of alpha + v'"},

@@ -25,7 +25,7 @@ struct T3_2 {
         .id = "FJ21.T3.2",
         .source = "Theorem 3.2",
         .title = "characterisation of spline surfaces",
-        .statement = R"(p[t^{<n-1>},\Lambda_k(t)]=\sigma_k(t)\,q[t^{<n-1>},M_k(t)]\iff
+        .statement = R"(p[t^{\langle n-1\rangle},\Lambda_k(t)]=\sigma_k(t)\,q[t^{\langle n-1\rangle},M_k(t)]\iff
 \operatorname{rank}(p_0^{n-1},p_1^{n-1},q_0^{n-1},q_1^{n-1})(t)\le 3\ \text{on piece } k,\ k=1..N)",
         .kind = Kind::equivalence,
         .hypotheses = {{"the dependence on each piece has lambda_0 + lambda_1 not 0", true},
@@ -212,7 +212,9 @@ struct K {
         .id = "FJ21.K",
         .source = "section 5, knot insertion",
         .title = "knot insertion leaves Lam, M, sigma unchanged",
-        .statement = R"(\hat p[t^{<n-1>},\Lambda]-\sigma\hat q[t^{<n-1>},M]=p[t^{<n-1>},\Lambda]-\sigma q[t^{<n-1>},M]
+        .statement =
+            R"(\hat p[t^{\langle n-1\rangle},\Lambda]-\sigma\hat q[t^{\langle n-1\rangle},M]
+=p[t^{\langle n-1\rangle},\Lambda]-\sigma q[t^{\langle n-1\rangle},M]
 \ \text{ on every piece of the refined knot list})",
         .hypotheses = {{"x + y is not 0: the new knot (x a + y b)/(x + y) exists", false}},
         .mutants = {"the new knot one vertex too early", "the vertices of the old net at the new knots",

@@ -23,7 +23,7 @@ struct T6_1 {
         .title = "constant Lam, M, sigma = 1: tangent surfaces",
         .statement =
             R"(p=r+\tfrac{M-t}{n+1}r',\
-q=r+\tfrac{\Lambda-t}{n+1}r'\iff p[t^{<n-1>},\Lambda]=q[t^{<n-1>},M]\ (\Lambda\ne M),
+q=r+\tfrac{\Lambda-t}{n+1}r'\iff p[t^{\langle n-1\rangle},\Lambda]=q[t^{\langle n-1\rangle},M]\ (\Lambda\ne M),
 \quad r=\frac{(\Lambda-t)p+(t-M)q}{\Lambda-M},\ q-p=\tfrac{\Lambda-M}{n+1}r',\
 p'=\tfrac{n}{n+1}r'+\tfrac{M-t}{n+1}r'',\ \Delta^n(q-p)=(\Lambda-M)\Delta^{n+1}r)",
         .kind = Kind::equivalence,
@@ -139,7 +139,8 @@ struct T6_1_cone {
         .id = "FJ21.T6.1.cone",
         .source = "Theorem 6.1, the exception Lam = M",
         .title = "Lam = M: cones and cylinders",
-        .statement = R"(\Lambda=M,\ \sigma=1:\quad p[t^{<n-1>},M]=q[t^{<n-1>},M]\iff q=p+(t-M)^nA,\quad
+        .statement =
+            R"(\Lambda=M,\ \sigma=1:\quad p[t^{\langle n-1\rangle},M]=q[t^{\langle n-1\rangle},M]\iff q=p+(t-M)^nA,\quad
 (\Lambda-t)p+(t-M)q=(t-M)^{n+1}A)",
         .kind = Kind::equivalence,
         .hypotheses = {{"M is not 0: p and q_0 decide q", false}},

@@ -1,0 +1,24 @@
+// The worked examples for other programs and for the page.
+#include "torse/cli/examples.hpp"
+
+#include "torse/exact/rational/rational.hpp"
+
+namespace torse::cli {
+
+using Json = nlohmann::ordered_json;
+
+Json examples_json(const std::vector<proofs::ExampleRow>& rows) {
+  Json values = Json::array();
+  for (const proofs::ExampleRow& row : rows) {
+    values.push_back({{"group", row.group},
+                      {"label", row.label},
+                      {"printed", row.printed},
+                      {"computed", row.computed},
+                      {"equal", row.equal}});
+  }
+  return {{"torse", 1}, {"examples", {{{"id", "FJ21.E8"}, {"source", "FJ21, section 8"}, {"values", values}}}}};
+}
+
+Json examples_section() { return {{"kind", "examples"}, {"data", examples_json(proofs::section8_rows<Rational>())}}; }
+
+}  // namespace torse::cli

@@ -1,0 +1,63 @@
+// The option --html: where the page goes, and what happens where it cannot go there.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+
+#include "support/program.hpp"
+#include "torse/cli/viewer.hpp"
+
+namespace torse::testing {
+namespace {
+
+class Html : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (cli::viewer().empty()) GTEST_SKIP() << "built without the viewer";
+  }
+  Scratch scratch_;
+};
+
+TEST(HtmlWithoutViewer, IsOneErrorBeforeAnyWork) {
+  if (!cli::viewer().empty()) GTEST_SKIP() << "built with the viewer";
+  const ProgramResult result = run_program({"verify", "--html", "page.html"});
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("./x web"), std::string::npos) << result.err;
+}
+
+TEST_F(Html, GoesIntoAFile) {
+  const std::string file = scratch_ / "page.html";
+  const ProgramResult result = run_program({"example", "--html", file});
+  EXPECT_EQ(result.exit, 0) << result.err;
+  EXPECT_TRUE(slurp(file).starts_with("<!doctype html>"));
+}
+
+TEST_F(Html, GoesIntoAFolderThatIsMade) {
+  const std::filesystem::path folder = scratch_ / "a/b";
+  EXPECT_EQ(run_program({"example", "--html", folder}).exit, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
+  EXPECT_EQ(run_program({"example", "--html", folder}).exit, 0) << "once more into the same folder";
+}
+
+TEST_F(Html, IsTheSameTwice) {
+  const std::string file = scratch_ / "page.html";
+  run_program({"example", "--html", file});
+  const std::string first = slurp(file);
+  run_program({"example", "--html", file});
+  EXPECT_EQ(slurp(file), first);
+}
+
+TEST_F(Html, AFileInTheWayIsOneError) {
+  spill(scratch_ / "taken", "mine");
+  for (const char* place : {"taken", "taken/page.html", "none/page.html"}) {
+    const ProgramResult result = run_program({"example", "--html", scratch_ / place});
+    EXPECT_EQ(result.exit, 2) << place;
+    EXPECT_NE(result.err.find(place), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(slurp(scratch_ / "taken"), "mine");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch_.path()), {}), 1);
+}
+
+}  // namespace
+}  // namespace torse::testing
