@@ -24,6 +24,9 @@ using WarpBall = Ball<ball_bits>;
 /// The cost of a step in balls, one in doubles being 1.
 constexpr double ball_cost = 300;
 
+/// Pieces that are bounded only, in balls, as a multiple of the steps of a search there.
+constexpr double most_bounded = 4;
+
 /// Products of coefficients times their bits that the quotients of the exact stage may take to make: some seconds.
 constexpr double most_exact_work = 0x1p28;
 
@@ -135,7 +138,7 @@ class WarpRun {
     std::vector<int> open = rounded_stage(u_.proper_pieces());
     if (!done(open)) open = ball_stage(open);
     if (!done(open)) open = exact_stage(open);
-    if (!open.empty()) record_.upper = detail::infinity;
+    if (!open.empty() && !exceeded()) bound_open(open);
     // Scaled values (settle_exactly) may leave the range of doubles where they differ by more than that.
     if (record_.upper == detail::infinity) record_.complete = false;
   }
@@ -143,7 +146,7 @@ class WarpRun {
   /// The answer to the limit.
   Truth within_limit() const {
     if (exceeded()) return Truth::no;
-    return record_.complete && record_.upper <= goal_.limit->lower() ? Truth::yes : Truth::unknown;
+    return record_.upper <= goal_.limit->lower() ? Truth::yes : Truth::unknown;
   }
 
   WarpEnclosure enclosure() {
@@ -218,6 +221,44 @@ class WarpRun {
     return open;
   }
 
+  /// The quotients of these pieces in doubles; none where one has none.
+  std::optional<std::vector<RoundedQuotient>> rounded_quotients(const std::vector<int>& pieces) const {
+    const std::optional<RoundedNet<D>> net = rounded_net(u_, c_, d_);
+    if (!net) return std::nullopt;
+    std::vector<RoundedQuotient> quotients;
+    for (const int k : pieces) {
+      std::optional<RoundedQuotient> quotient = rounded_quotient(*net, k);
+      if (!quotient) return std::nullopt;
+      quotients.push_back(*std::move(quotient));
+    }
+    return quotients;
+  }
+
+  std::vector<BernsteinQuotient<WarpBall>> ball_quotients(const std::vector<int>& pieces) const {
+    const Surface<WarpBall, D> surface = converted<WarpBall, Rational, D>(
+        surface_->knots, surface_->c, surface_->d, [](const Rational& x) { return WarpBall::rational(x.text()); });
+    std::vector<BernsteinQuotient<WarpBall>> quotients;
+    for (const int k : pieces) quotients.push_back(quotient_of(sine_forms_of(surface, k)));
+    return quotients;
+  }
+
+  /// Pieces that no stage has settled count by the best bound that there is.
+  void bound_open(const std::vector<int>& open) {
+    record_.complete = false;
+    const double threshold = record_.scale == 0 ? detail::search_threshold(record_, goal_) : 0;
+    double bound = detail::infinity;
+    if (std::optional<std::vector<RoundedQuotient>> quotients = rounded_quotients(open)) {
+      bound = bound_above(*std::move(quotients), threshold, budget(1) / 10);
+    }
+    if (bound > threshold &&
+        static_cast<double>(open.size()) <= most_bounded * static_cast<double>(budget(ball_cost))) {
+      if (!surface_) surface_ = converted<Rational, S, D>(u_, c_, d_, exact);
+      bound = std::min(bound, bound_above(ball_quotients(open), threshold, budget(ball_cost) / 10));
+    }
+    if (record_.scale == 0) bound = std::min(bound, 1.0);
+    record_.upper = std::max(record_.upper, std::ldexp(bound, static_cast<int>(2 * record_.scale)));
+  }
+
   /// Settles what the cheap bounds can, and returns the other pieces.
   std::vector<int> high_pieces(const RoundedNet<3>& net, const std::vector<int>& pieces) {
     if (static_cast<long>(pieces.size()) > budget(1)) return pieces;
@@ -248,11 +289,10 @@ class WarpRun {
       return PieceEvaluator<D>(u_.degree(), knots, surface_->c, surface_->d, k).vanishes();
     });
     if (static_cast<long>(pieces.size()) > budget(ball_cost)) return pieces;
-    const Surface<WarpBall, D> surface = converted<WarpBall, Rational, D>(
-        surface_->knots, surface_->c, surface_->d, [](const Rational& x) { return WarpBall::rational(x.text()); });
-    std::vector<WarpPiece<BernsteinQuotient<WarpBall>>> quotients;
-    for (const int k : pieces) quotients.push_back({k, quotient_of(sine_forms_of(surface, k))});
-    return settle(quotients, budget(ball_cost));
+    std::vector<BernsteinQuotient<WarpBall>> quotients = ball_quotients(pieces);
+    std::vector<WarpPiece<BernsteinQuotient<WarpBall>>> list;
+    for (std::size_t i = 0; i < pieces.size(); ++i) list.push_back({pieces[i], std::move(quotients[i])});
+    return settle(list, budget(ball_cost));
   }
 
   std::vector<int> exact_stage(const std::vector<int>& pieces) {

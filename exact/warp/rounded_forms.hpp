@@ -9,14 +9,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 namespace torse {
 
 namespace rounding {
 
-/// The largest degree of a RoundedForms: its binomials fit 64 bits.
-inline constexpr int most_degree = 64;
+/// The largest degree of a RoundedForms: its binomials fit 128 bits.
+inline constexpr int most_degree = 130;
+__extension__ using Binomial = unsigned __int128;
 /// The relative error of one operation in double, 2^-53.
 inline constexpr double unit = 0x1p-53;
 /// A result of up to 1000 operations on positive doubles, times `up`, is not below the exact one.
@@ -31,7 +31,7 @@ struct Binomials {
   std::array<Row, most_degree + 1> inverse{};
 
   constexpr Binomials() {
-    std::array<std::uint64_t, most_degree + 1> row{1};
+    std::array<Binomial, most_degree + 1> row{1};
     for (std::size_t d = 0; d <= most_degree; ++d) {
       for (std::size_t i = d; d > 0 && i > 0; --i) row[i] += row[i - 1];
       for (std::size_t i = 0; i <= d; ++i) {

@@ -3,6 +3,7 @@
 //   WarpRecord      what is known so far
 //   WarpPiece<Q>    one piece of the surface
 //   search          works through pieces, and returns those that the arithmetic cannot settle
+//   bound_above     what the arithmetic can say of these all the same
 #pragma once
 
 #include <algorithm>
@@ -130,6 +131,40 @@ std::vector<std::size_t> search(std::vector<WarpPiece<Q>>& pieces, const WarpGoa
     }
   }
   return open;
+}
+
+/// An upper bound of all quotients by at most `budget` sub-intervals: the one with the largest bound is halved until
+/// that is below the threshold or owes more to the errors of its coefficients than to its width. Infinite where a
+/// denominator is not certified.
+template <BoundedQuotient Q>
+double bound_above(std::vector<Q> quotients, double threshold, long budget) {
+  constexpr double narrowest = 0x1p-48;
+  struct Node {
+    QuotientBound bound;
+    Q quotient;
+    double width;
+  };
+  const auto lower = [](const Node& x, const Node& y) { return x.bound.value < y.bound.value; };
+  std::vector<Node> heap;
+  const auto push = [&](Q quotient, double width) {
+    const QuotientBound bound = quotient.upper();
+    heap.push_back({bound, std::move(quotient), width});
+    std::push_heap(heap.begin(), heap.end(), lower);
+  };
+  for (Q& quotient : quotients) push(std::move(quotient), 1);
+  while (!heap.empty()) {
+    std::pop_heap(heap.begin(), heap.end(), lower);
+    const Node node = std::move(heap.back());
+    heap.pop_back();
+    const bool only_error = node.bound.value < detail::infinity && node.bound.value > 2 * node.bound.nominal;
+    if (budget-- <= 0 || node.bound.value <= threshold || only_error || node.width <= narrowest) {
+      return node.bound.value;
+    }
+    std::pair<Q, Q> halves = node.quotient.split();
+    push(std::move(halves.first), node.width / 2);
+    push(std::move(halves.second), node.width / 2);
+  }
+  return 0;
 }
 
 }  // namespace torse

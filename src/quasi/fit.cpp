@@ -30,6 +30,9 @@ constexpr double rounding = 1e-9;
 /// What a strip may cost that does not fold over, as a factor of the measure.
 constexpr double next_to_nothing = 1.005;
 
+/// What a surface may cost that is not singular.
+constexpr double as_good = 1.0001;
+
 /// As much as equal coefficients are moved apart, together.
 constexpr double least_rise = 1e-6;
 
@@ -75,16 +78,21 @@ std::vector<double> moved_breaks(const std::vector<double>& breaks, const std::v
   return moved;
 }
 
-/// Where more than `degree` coefficients in a row are equal the mapping would rest on a point of the second rail and
-/// the surface be a cone with a singular vertex there. They are moved apart, by a total of `least_rise` at most,
-/// upwards or, at the end of the rail, downwards.
-void part_equal(std::vector<double>& beta, int degree) {
+/// So many equal coefficients in a row are too many.
+struct Runs {
+  std::size_t at_end;
+  std::size_t inside;
+};
+
+/// Moves runs of equal coefficients apart, by a total of `least_rise` each at most, upwards or, at the end of the rail,
+/// downwards.
+void part_equal(std::vector<double>& beta, const Runs& runs) {
   const std::size_t n = beta.size();
   for (std::size_t begin = 0; begin < n;) {
     std::size_t end = begin + 1;
     while (end < n && beta[end] == beta[begin]) ++end;
     const std::size_t run = end - begin;
-    if (run > static_cast<std::size_t>(degree) && run < n) {
+    if (run >= (begin == 0 || end == n ? runs.at_end : runs.inside) && run < n) {
       const bool up = end < n;
       const double gap = up ? beta[end] - beta[begin] : beta[begin] - beta[begin - 1];
       const double step = std::min(least_rise, gap / 2) / static_cast<double>(run);
@@ -117,7 +125,7 @@ class Fitter {
     if (fit_.stages.back().after >= fit_.initial) try_start("T = t", identity);
     shift_steep_places();
     if (options_.adaptive) move_knots();
-    part_equal(beta_, options_.degree);
+    part_equal_coefficients();
     fit_.mapping = mapping_of(knots_, beta_);
     fit_.value = value_;
     fit_.seconds = elapsed();
@@ -230,6 +238,21 @@ class Fitter {
     value_ = descent.value * degrees;
     knots_ = knots;
     breaks_ = breaks;
+  }
+
+  /// Where more than `degree` coefficients are equal the mapping would rest on a point of the second rail and the
+  /// surface be a cone with its vertex there. Where two are at an end, or `degree` elsewhere, its slope vanishes and
+  /// the surface is singular: that may stay only if the warp is better for it, as with T = t^2.
+  void part_equal_coefficients() {
+    const std::size_t degree = static_cast<std::size_t>(options_.degree);
+    part_equal(beta_, {.at_end = degree + 1, .inside = degree + 1});
+    std::vector<double> regular = beta_;
+    part_equal(regular, {.at_end = 2, .inside = std::max<std::size_t>(degree, 2)});
+    const Sampling samples(rails_.c, knots_, sample_parameters());
+    const double value = measured(rails_.d, samples, regular, descent_options()) * degrees;
+    if (!(value <= as_good * value_ + rounding)) return;
+    beta_ = std::move(regular);
+    value_ = std::max(value, value_);
   }
 
   const Rails& rails_;

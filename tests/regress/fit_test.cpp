@@ -144,6 +144,29 @@ TEST_F(Fit, TheCertificateEnclosesWhatIsSampled) {
   }
 }
 
+/// With a mapping of degree 2 the surface has twice the degree of the rails.
+TEST_F(Fit, CertifiesRailsOfHighDegree) {
+  for (const int degree : {5, 6, 7, 8}) {
+    SCOPED_TRACE(degree);
+    json rails{{"torse", 1}, {"type", "rails"}};
+    for (const char* rail : {"c", "d"}) {
+      const double phase = rail[0] - 'c';
+      rails[rail] = {{"degree", degree}, {"points", json::array()}};
+      for (int i = 0; i <= degree; ++i) {
+        const double z = std::round(50 * std::cos(i + phase / 2)) / 100;
+        rails[rail]["points"].push_back({i * 4.0 / degree, 1.5 * phase, z});
+      }
+    }
+    const json report = this->report(rails.dump(), {"--coefficients", "6"});
+    EXPECT_EQ(report.at("surface").at("degree"), 2 * degree);
+    const double low = report.at("max_warp_deg").at("lo");
+    const double high = report.at("max_warp_deg").at("hi");
+    EXPECT_LT(high, 60);
+    EXPECT_LE(high - low, 2e-3 * high);
+    EXPECT_LE(report.at("after").at("max_deg").get<double>(), high * (1 + 1e-9));
+  }
+}
+
 /// Every rails file of examples/ gives a surface that is better than T = t and certified.
 TEST_F(Fit, TheExamplesAreFitted) {
   int examples = 0;

@@ -328,6 +328,24 @@ TEST(Warp, SaysSoWhenTheBudgetRunsOut) {
   EXPECT_EQ(at_most(net, Q::from_double((good.lower + good.upper) / 2), {.intervals = 1}), Truth::unknown);
 }
 
+/// Cylinders that are bent by 1e-12, of two pieces: a budget of no step in balls leaves them open, and what the doubles
+/// know is more than nothing. Degree 17 has no quotient in doubles, and then the balls are asked.
+TEST(Warp, KeepsTheBestBoundOfPiecesThatStayOpen) {
+  for (const int n : {3, 12, 17}) {
+    SCOPED_TRACE(n);
+    Net net = random_net(n, 2, 3, 7);
+    for (std::size_t i = 0; i < net.c.size(); ++i) {
+      net.d[i] = Point3(net.c[i][0], net.c[i][1] + Q(5), net.c[i][2] + power(10, -12) * (net.d[i][2] - net.c[i][2]));
+    }
+    const WarpEnclosure good = warp_of(net);
+    const WarpEnclosure warp = warp_of(net, {.intervals = n == 3 ? 400 : 2500});
+    EXPECT_FALSE(warp.complete);
+    EXPECT_LT(warp.upper, n == 17 ? 1e-6 : 1e-3);
+    EXPECT_GE(warp.upper, good.lower);
+    EXPECT_LE(warp.lower, good.upper);
+  }
+}
+
 /// c = (t, 0, 0) and d = c + z(t) (0, 1, t): the rulings vanish with z, and so do both normals.
 TEST(Warp, VanishingRulingsAreExcludedAndTheirLimitCounts) {
   // z = t - 1/2: sin^2 = (1/2 - t)^2 / ((1/2 - t)^2 + t^2 + 1), 1/5 at t = 0.
