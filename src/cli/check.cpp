@@ -10,6 +10,8 @@
 
 #include "torse/cli/checked.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/html_report.hpp"
+#include "torse/cli/page_sections.hpp"
 #include "torse/cli/repair.hpp"
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/terminal.hpp"
@@ -26,6 +28,7 @@ struct CheckOptions {
   std::string max_warp;
   std::string repair;
   ReportFiles reports;
+  HtmlOption html;
 
   /// Whether something else than the verdicts takes standard output.
   bool use_stdout() const { return reports.use_stdout() || repair == "-"; }
@@ -66,7 +69,7 @@ void require_repairable(const CheckedFace& checked) {
 }
 
 /// The report on all faces; `repaired` belongs to the only one that is ruled.
-std::string json_report(const std::vector<CheckedFace>& faces, const std::optional<RepairedSurface>& repaired) {
+Json json_report(const std::vector<CheckedFace>& faces, const std::optional<RepairedSurface>& repaired) {
   Json surfaces = Json::array();
   Json errors = Json::array();
   for (const CheckedFace& checked : faces) {
@@ -77,7 +80,7 @@ std::string json_report(const std::vector<CheckedFace>& faces, const std::option
       if (repaired && checked.face.surface) surfaces.back()["repair"] = repair_json(*repaired);
     }
   }
-  return Json{{"torse", 1}, {"surfaces", surfaces}, {"errors", errors}}.dump(2) + '\n';
+  return {{"torse", 1}, {"surfaces", surfaces}, {"errors", errors}};
 }
 
 void print_face(const Terminal& terminal, const CheckedFace& checked, const ReportCase& c, std::size_t width) {
@@ -122,6 +125,7 @@ void print_faces(const std::vector<CheckedFace>& faces, const std::vector<Report
 
 int run_check(const CheckOptions& options) {
   require_one_output(options.reports);
+  require_viewer(options.html);
   if (options.repair == "-" && options.reports.use_stdout()) {
     throw UsageError("only one of --repair and the reports can write to standard output");
   }
@@ -148,7 +152,13 @@ int run_check(const CheckOptions& options) {
   if (repaired && !options.use_stdout()) {
     Terminal(stdout).print(printable(options.repair) + ": " + repair_text(*repaired) + '\n');
   }
-  if (!options.reports.json.empty()) write_file(options.reports.json, json_report(faces, repaired));
+  if (!options.reports.json.empty() || options.html.wanted()) {
+    const Json report = json_report(faces, repaired);
+    if (!options.reports.json.empty()) write_file(options.reports.json, report.dump(2) + '\n');
+    if (options.html.wanted()) {
+      write_html(options.html, "Surfaces checked", Json::array({check_section(faces, cases, report)}));
+    }
+  }
   write_case_reports(options.reports, cases);
   if (repairs && !repaired) {
     print_error("--repair: no developable net with finite points was found; nothing is written");
@@ -167,6 +177,7 @@ std::function<int()> define_check(CLI::App& app) {
   app.add_option("--repair", options->repair, "write the nearest exactly developable net of the one surface given")
       ->type_name("OUT");
   add_report_options(app, options->reports);
+  add_html_option(app, options->html);
   return [options] { return run_check(*options); };
 }
 

@@ -50,7 +50,7 @@ int run_example(const ExampleOptions& options) {
   require_viewer(options.html);
   const std::vector<ExampleRow> rows = proofs::section8_rows<Rational>();
   if (!options.json.empty()) write_file(options.json, examples_json(rows).dump(1) + "\n");
-  write_html(options.html, "Worked example", nlohmann::ordered_json::array({examples_section()}));
+  write_html(options.html, "FJ21, section 8, recomputed", nlohmann::ordered_json::array({examples_section()}));
   if (options.json != "-") print_rows(rows);
   return std::ranges::all_of(rows, &ExampleRow::equal) ? exit_code::success : exit_code::refuted;
 }

@@ -13,6 +13,8 @@
 #include "torse/cli/conversion.hpp"
 #include "torse/cli/fit_plate.hpp"
 #include "torse/cli/fit_report.hpp"
+#include "torse/cli/html_report.hpp"
+#include "torse/cli/page_sections.hpp"
 #include "torse/cli/rails.hpp"
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
@@ -42,6 +44,7 @@ struct FitCommand {
   std::string simplest = "points";
   std::string max_warp;
   std::string json;
+  HtmlOption html;
 };
 
 /// The value that a word stands for. Throws UsageError listing the words.
@@ -190,11 +193,14 @@ int fit(const FitCommand& command, const FitWishes& wishes) {
     }
     if (plate) terminal.print(fit_plate_text(*plate, terminal));
   }
-  if (!command.json.empty()) {
-    Json report = fit_json(title, strip);
-    if (plate) report["plate"] = fit_plate_json(command.plates, *plate);
-    write_file(command.json,
-               Json{{"torse", 1}, {"surfaces", {std::move(report)}}, {"errors", Json::array()}}.dump(2) + '\n');
+  if (!command.json.empty() || command.html.wanted()) {
+    Json entry = fit_json(title, strip);
+    if (plate) entry["plate"] = fit_plate_json(command.plates, *plate);
+    const Json report{{"torse", 1}, {"surfaces", {std::move(entry)}}, {"errors", Json::array()}};
+    if (!command.json.empty()) write_file(command.json, report.dump(2) + '\n');
+    if (command.html.wanted()) {
+      write_html(command.html, "Surface between two rails", Json::array({fit_section(input.rails, strip, report)}));
+    }
   }
   const int code = code_of(command, strip);
   return code == exit_code::success && plate ? plate->code : code;
@@ -206,6 +212,7 @@ int run_fit(const FitCommand& command) {
     if (output != "-") format_of(output);
   }
   require_plate_files(command.plates);
+  require_viewer(command.html);
   if (command.json == "-" && std::ranges::count(command.outputs, "-") > 0) {
     throw UsageError("-o - and --json -: only one of them can be written to standard output");
   }
@@ -263,6 +270,7 @@ std::function<int()> define_fit(CLI::App& app) {
                  "the surface as a flat plate, if its warp is at most 45 degrees: .svg, .dxf or .json")
       ->type_name("FILE");
   app.add_option("--json", command->json, "write the report as JSON; - is standard output")->type_name("FILE");
+  add_html_option(app, command->html);
   return [command] { return run_fit(*command); };
 }
 

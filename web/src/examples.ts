@@ -2,9 +2,11 @@
 import { h, table } from "./dom.ts";
 import { choices } from "./ledger/filter.ts";
 import type { ExamplesSection } from "./report.ts";
+import { surfaceView } from "./scene/surface.ts";
 
 export function examplesView(section: ExamplesSection): HTMLElement {
-  const parts = section.data.examples.map((example) => {
+  const parts = section.data.examples.map((example, i) => {
+    const picture = section.pictures[i] ?? null;
     const equal = example.values.filter((value) => value.equal).length;
     const tables = choices(example.values.map((value) => value.group)).map((group) =>
       table(
@@ -25,6 +27,7 @@ export function examplesView(section: ExamplesSection): HTMLElement {
       { class: "example" },
       h("h3", {}, example.source),
       h("p", { class: "lead" }, `${equal} of ${example.values.length} printed values reproduced exactly.`),
+      picture === null ? null : surfaceView(picture),
       h("div", { class: "columns" }, ...tables),
     );
   });

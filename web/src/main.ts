@@ -1,17 +1,26 @@
 // The page of a report.
 import { command, h } from "./dom.ts";
 import { examplesView } from "./examples.ts";
+import { fitView } from "./fit.ts";
 import { whenIdle } from "./idle.ts";
 import { ledgerView } from "./ledger/view.ts";
+import { plotsView } from "./plots.ts";
 import { readReport, type Report, type Section } from "./report.ts";
+import { surfacesView } from "./surfaces.ts";
 import { themeButton } from "./theme.ts";
 
-function view(section: Section): HTMLElement {
+function view(section: Section, index: number): HTMLElement {
   switch (section.kind) {
     case "ledger":
       return ledgerView(section);
     case "examples":
       return examplesView(section);
+    case "surfaces":
+      return surfacesView(section);
+    case "fit":
+      return fitView(section);
+    case "plots":
+      return plotsView(section, index);
   }
 }
 

@@ -11,7 +11,7 @@ export interface Report {
   notes: string[];
 }
 
-export type Section = LedgerSection | ExamplesSection;
+export type Section = LedgerSection | ExamplesSection | SurfacesSection | FitSection | PlotsSection;
 
 export interface Score {
   killed: number;
@@ -68,6 +68,130 @@ export interface ExampleValue {
 export interface ExamplesSection {
   kind: "examples";
   data: { examples: { id: string; source: string; values: ExampleValue[] }[] };
+  pictures: (Picture | null)[];
+}
+
+/** Six coordinates, of the ends on c and on d; null where they are not finite. */
+export type Ruling = number[] | null;
+
+export interface State {
+  label: string;
+  /** Parameters on c and on d, over [0, 1]. */
+  t: number[];
+  targets: number[];
+  rulings: Ruling[];
+  /** Degrees. */
+  warp: (number | null)[];
+  /** v of the point (1-v) c + v d of the edge of regression. */
+  edge?: (number | null)[];
+}
+
+export interface Row {
+  points: number[];
+  weights: number[];
+}
+
+export interface Net {
+  degree: number;
+  knots: number[];
+  c: Row;
+  d: Row;
+}
+
+/** A ruled surface of size 1 around the origin. */
+export interface Picture {
+  name: string;
+  /** The true size, in the unit of the file. */
+  size: string;
+  net: Net | null;
+  states: State[];
+  singular: { reason: string; from: number; to: number }[];
+}
+
+export interface Enclosure {
+  lo: number;
+  hi: number;
+}
+
+export interface CheckedSurface {
+  file: string;
+  name: string;
+  developable: boolean | null;
+  class: string;
+  max_warp_deg?: Enclosure;
+}
+
+export interface Verdict {
+  title: string;
+  verdict: string;
+  outcome: string;
+  findings: string[];
+  replay: string;
+}
+
+export interface SurfacesSection {
+  kind: "surfaces";
+  data: { surfaces: CheckedSurface[]; errors: { file: string; message: string }[] };
+  verdicts: Verdict[];
+  pictures: (Picture | null)[];
+}
+
+export interface Statistics {
+  mean_deg: number;
+  rms_deg: number;
+  max_deg: number;
+}
+
+export interface FittedSurface {
+  file: string;
+  name: string;
+  method: string;
+  measure: string;
+  ends: string;
+  developable: boolean;
+  before: Statistics;
+  after: Statistics;
+  max_warp_deg: Enclosure;
+  surface: { degree: number; pieces: number; points: number };
+  folds: { folded: boolean | null; at?: string };
+  self_intersection: { crosses: boolean | null };
+  threshold_deg: number;
+  findings: { from: string | number; to: string | number; obstacle: string; mean_deg: number; max_deg: number; best_deg: number }[];
+  fit?: { curve: [number, number][] };
+}
+
+export interface FitSection {
+  kind: "fit";
+  data: { surfaces: FittedSurface[] };
+  pictures: (Picture | null)[];
+}
+
+export interface Axis {
+  label: string;
+  log?: boolean;
+}
+
+export interface Series {
+  name: string;
+  points: [number, number][];
+  /** Dots in the place of a line. */
+  dots?: boolean;
+}
+
+export interface PlotData {
+  title: string;
+  x: Axis;
+  y: Axis;
+  series: Series[];
+}
+
+/** Paragraphs, plots and tables of any kind. */
+export interface PlotsSection {
+  kind: "plots";
+  title: string;
+  text: string[];
+  plots: PlotData[];
+  tables: { title: string; columns: string[]; rows: (string | number | null)[][] }[];
 }
 
 /** Reads the data that the program put into the page. */

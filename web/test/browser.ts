@@ -60,8 +60,8 @@ export async function openPage(browser: Browser, path: string, options: BrowserC
   const page = await context.newPage();
   const complaints: string[] = [];
   page.on("console", (message) => {
-    // Chromium remarks that software draws slowly, which is so by our own choice.
-    const own = message.text().includes("GPU stall due to ReadPixels") || message.text().includes("software WebGL");
+    // Chromium remarks that software draws slowly and that a test reads pixels twice, which is so by our own choice.
+    const own = /GPU stall due to ReadPixels|software WebGL|willReadFrequently/.test(message.text());
     if (["error", "warning"].includes(message.type()) && !own) complaints.push(message.text());
   });
   page.on("pageerror", (error) => complaints.push(error.message));
