@@ -56,7 +56,7 @@ void next_ruling(P& ruling, const S& gap, const P& side, const S& near, const S&
 
 /// The second row of the developable net through c whose vertex k is `dk`, 0 <= k <= L. In the rulings r_i = d_i - c_i
 /// FJ07.13 is (M* - u_i) r_{i+1} = (M* - u_{i+n}) r_i + (L* - M*) (c_{i+1} - c_i) (FJ07.13.rulings): neither the
-/// place of the origin nor the cancellation of L* - M* enters. L* = M*
+/// place of the origin nor the cancellation of L* - M* enters, docs/findings.md bounds the rounding errors. L* = M*
 /// gives a cylinder. Throws InvalidInput naming "points" (not L+1 of them), "M" (a knot) or "k".
 template <Field S, class P>
 std::vector<P> net_from(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, int k, const P& dk) {
@@ -92,7 +92,7 @@ std::vector<P> linear_net(const KnotList<S>& u, std::span<const P> c, const S& l
 }
 
 /// The row of net_from with each equation of FJ07.13 solved as it stands: its rounding errors grow with the distance of
-/// the points from the origin. It is there to be compared with. Throws as net_from does.
+/// the points from the origin. It is there to be compared with (docs/findings.md). Throws as net_from does.
 template <Field S, class P>
 std::vector<P> printed_net(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, int k,
                            const P& dk) {

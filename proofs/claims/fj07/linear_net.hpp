@@ -69,7 +69,7 @@ vertices it is computed.)",
         .kind = Kind::identity,
         .hypotheses = {off_before_last, off_from_last},
         .mutants = {"L* and M* exchanged", "the sign of L*-M*", "the neighbouring knot of the ratio"},
-        .remark = "Its rounding errors do not depend on the place of the origin."};
+        .remark = "Its rounding errors do not depend on the place of the origin: docs/findings.md."};
     return value;
   }
 
