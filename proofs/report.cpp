@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "torse/proofs/coq_theorems.hpp"
 #include "torse/scalar/errors.hpp"
 
 namespace torse::proofs {
@@ -12,6 +13,14 @@ namespace torse::proofs {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+Json theorems(std::string_view claim) {
+  Json names = Json::array();
+  for (const CoqTheorem& theorem : coq_theorems) {
+    if (theorem.claim == claim) names.push_back(theorem.name);
+  }
+  return names;
+}
 
 Json score_json(const Score& score) {
   return {{"killed", score.killed}, {"survived", score.survived}, {"equivalent", score.equivalent}};
@@ -70,7 +79,7 @@ Json entry_json(const Entry& entry, const Plan& plan) {
           {"hypotheses", hypotheses},
           {"as_printed", as_printed},
           {"remark", info.remark},
-          {"coq", info.coq.empty() ? Json(nullptr) : Json(info.coq)},
+          {"coq", theorems(info.id)},
           {"mutants", score_json(entry.mutants())},
           {"faults", score_json(entry.faults())},
           {"seed", plan.seed},

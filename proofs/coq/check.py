@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+"""Builds the Coq theory in build/coq, has coqchk look at it again, and compares what was proved with the committed files:
+
+  theorems.json        every theorem under its claim id: statement as Coq prints it, and what it assumes; every definition as Coq prints it
+  index.md             the same for readers
+  ../coq_theorems.hpp  the ids and names for the ledger
+
+usage: check.py [--write]     with --write the three files are rewritten instead
+"""
+import json
+import os
+import pathlib
+import re
+import resource
+import shutil
+import subprocess
+import sys
+
+here = pathlib.Path(__file__).resolve().parent
+root = here.parent.parent
+build = root / "build" / "coq"
+memory = 8 << 30  # bytes of address space for each program
+library = "Torse"
+papers = {"FJ07": "Fernández-Jambrina 2007", "FJ21": "Fernández-Jambrina 2021", "ZW06": "Zhang and Wang 2006",
+          "BZZ19": "Bo, Zheng and Zhang 2019", "blossoms": "Blossoms", "rounding": "Rounding errors"}
+title_of_part = {"Hypotheses": "Hypotheses", "Paper": "The paper"}
+
+
+def fail(text):
+    print(text)
+    sys.exit(1)
+
+
+def run(arguments, seconds, **options):
+    """The output of a program under limits of time and memory."""
+    limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    try:
+        done = subprocess.run(arguments, cwd=build, timeout=seconds, preexec_fn=limit, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    except subprocess.TimeoutExpired:
+        fail(f"{' '.join(arguments[:3])}: not done after {seconds} s")
+    if done.returncode != 0:
+        fail(f"{done.stdout[-6000:]}\n{' '.join(arguments[:3])}: exit code {done.returncode}")
+    return done.stdout
+
+
+def sources():
+    """The .v files in the order of _CoqProject."""
+    return [line for line in (here / "_CoqProject").read_text().split() if line.endswith(".v")]
+
+
+def without_comments(text):
+    """Coq text without comments, which nest."""
+    kept, depth, i = [], 0, 0
+    while i < len(text):
+        if text.startswith("(*", i):
+            depth, i = depth + 1, i + 2
+        elif text.startswith("*)", i) and depth:
+            depth, i = depth - 1, i + 2
+        else:
+            if depth == 0:
+                kept.append(text[i])
+            i += 1
+    return "".join(kept)
+
+
+theorem = re.compile(r"\(\*\* (?P<id>[A-Za-z0-9.]+) (?P<word>\w+): (?P<text>.*?) ?\*\)\n"
+                     r"(?P<statement>(?:Theorem|Lemma) (?P<name>\w+).*?\.)\nProof", re.S)
+
+
+def theorems():
+    """Every statement with a claim id, in the order of the files."""
+    found = []
+    for file in sources():
+        text = (here / file).read_text()
+        forbidden = re.search(r"\b(Admitted|Axioms?|Parameters?|Conjecture|admit|give_up|bypass_check|Unset Guard Checking)\b", without_comments(text))
+        if forbidden:
+            fail(f"{file}: {forbidden.group()} has no place here")
+        entries = [match.groupdict() | {"file": file} for match in theorem.finditer(text)]
+        if len(entries) != text.count("\n(** "):
+            fail(f"{file}: {text.count(chr(10) + '(** ')} comments begin with (** but {len(entries)} are followed by a statement with a claim id")
+        for entry in entries:
+            stem = re.sub(r"\W", "_", entry["id"])
+            if entry["id"].split(".")[0] not in papers or entry["name"] != f"{stem}_{entry['word']}":
+                fail(f"{file}: {entry['name']} should be called {stem}_{entry['word']}")
+        found += entries
+    names = [entry["name"] for entry in found]
+    if len(set(names)) != len(names):
+        fail("two theorems have the same name")
+    return found
+
+
+def definitions():
+    """The names that the statements are written with."""
+    pattern = re.compile(r"^(?:Definition|Fixpoint|Inductive|Record) (\w+)", re.M)
+    return [name for file in sources() if file != "Extract.v" for name in pattern.findall(without_comments((here / file).read_text()))]
+
+
+def compile_theory():
+    build.mkdir(parents=True, exist_ok=True)
+    for file in build.glob("*.v"):
+        if not (here / file.name).exists():
+            file.unlink()
+    for file in [*sources(), "_CoqProject"]:
+        target = build / file
+        if not target.exists() or target.read_bytes() != (here / file).read_bytes():
+            shutil.copyfile(here / file, target)
+    run(["coq_makefile", "-f", "_CoqProject", "-o", "Makefile.coq"], 60)
+    run(["make", "-s", "-f", "Makefile.coq", "-j", str(os.cpu_count())], 1800)
+    modules = [f"{library}.{file[:-2]}" for file in sources()]
+    run(["coqchk", "-silent", "-o", "-R", ".", library, "-norec", *modules], 900)
+
+
+def printed(names, definitions):
+    """What Coq says of each name: (statement, assumptions), and the definitions."""
+    script = ["From mathcomp Require Import all_ssreflect all_algebra."]
+    script += [f"From {library} Require {file[:-2]}." for file in sources()]
+    script += [f"From {library} Require Import {' '.join(file[:-2] for file in sources() if file != 'Extract.v')}."]
+    script += ["Set Printing Width 110.", "Definition torse_next := tt.", "Definition torse_assumes := tt."]
+    mark = lambda word: f"Print torse_{word}."
+    for name in names:
+        script += [mark("next"), f"Check {name}.", mark("assumes"), f"Print Assumptions {name}."]
+    for name in definitions:
+        script += [mark("next"), f"Print {name}."]
+    (build / "Listing.v").write_text("\n".join(script + [mark("next")]) + "\n")
+    text = re.sub(" +$", "", run(["coqc", "-q", "-w", "none", "-R", ".", library, "Listing.v"], 300), flags=re.M)
+    split = lambda word, text: re.split(rf"torse_{word} = tt\s+: unit\n", text)
+    blocks = split("next", text)[1:-1]
+    if len(blocks) != len(names) + len(definitions):
+        fail(f"{text[-3000:]}\nListing.v: {len(blocks)} answers for {len(names) + len(definitions)} questions")
+    facts = []
+    for name, block in zip(names, blocks):
+        statement, assumes = split("assumes", block)
+        axioms = [] if assumes.strip() == "Closed under the global context" else re.findall(r"^([\w.]+)\s*:", assumes, re.M)
+        facts.append((statement.split(":", 1)[1].strip(), axioms))
+    return facts, {name: block.strip() for name, block in zip(definitions, blocks[len(names):])}
+
+
+def parts(text):
+    """A comment's statement, hypotheses and remark on the paper."""
+    text = " ".join(text.split())
+    pieces = re.split(r" ?(Hypotheses|Paper): ", text)
+    return pieces[0], dict(zip(pieces[1::2], pieces[2::2]))
+
+
+def order(identifier):
+    paper, _, rest = identifier.partition(".")
+    return list(papers).index(paper), [(0, int(piece), "") if piece.isdigit() else (1, 0, piece) for piece in re.findall(r"\d+|[A-Za-z]+", rest)]
+
+
+def index(found):
+    lines = ["# The theorems, by claim", "",
+             "Written by `./x coq` from the Coq files; [README.md](README.md) says how to read them. Each holds for every degree and every number of",
+             "pieces, over any field unless it says otherwise. Where a paper omits a hypothesis or claims too much, the line *The paper* says so.", ""]
+    paper = None
+    for identifier in sorted({entry["id"] for entry in found}, key=order):
+        if identifier.split(".")[0] != paper:
+            paper = identifier.split(".")[0]
+            lines += [f"## {papers[paper]}", ""]
+        lines += [f"### {identifier}", ""]
+        for entry in (entry for entry in found if entry["id"] == identifier):
+            text, more = parts(entry["text"])
+            axioms = "" if not entry["axioms"] else " It rests on " + ", ".join(f"`{axiom}`" for axiom in entry["axioms"]) + "."
+            lines += [f"**{entry['word'].replace('_', ' ')}** ([{entry['file']}]({entry['file']})): {text}{axioms}"]
+            lines += [f"\n*{title_of_part[part]}*: {words}" for part, words in more.items()]
+            lines += ["", "```coq", entry["statement"], "```", ""]
+    return "\n".join(lines)
+
+
+def header(found):
+    ids = sorted({entry["id"] for entry in found if entry["id"].split(".")[0] in ("FJ07", "FJ21", "ZW06", "BZZ19")}, key=order)
+    rows = "".join(f'    CoqTheorem{{"{identifier}", "{entry["name"]}"}},\n' for identifier in ids for entry in found if entry["id"] == identifier)
+    count = rows.count("\n")
+    return ("// The theorems of proofs/coq that Coq's kernel accepts without axioms, by claim. Written by `./x coq`; do not edit.\n"
+            "//   CoqTheorem, coq_theorems\n#pragma once\n\n#include <array>\n#include <string_view>\n\nnamespace torse::proofs {\n\n"
+            "/// A machine-checked theorem and the claim that it proves, for every degree and every number of pieces.\n"
+            "struct CoqTheorem {\n  std::string_view claim;\n  std::string_view name;\n};\n\n"
+            f"// clang-format off\ninline constexpr std::array<CoqTheorem, {count}> coq_theorems{{\n{rows}}};\n// clang-format on\n\n"
+            "}  // namespace torse::proofs\n")
+
+
+def main():
+    found = theorems()
+    compile_theory()
+    facts, defined = printed([entry["name"] for entry in found], sorted(set(definitions())))
+    for entry, (statement, axioms) in zip(found, facts):
+        entry["printed"], entry["axioms"] = statement, axioms
+        if axioms and entry["id"].split(".")[0] != "rounding":
+            fail(f"{entry['name']} rests on {', '.join(axioms)}")
+    golden = {"theorems": [{key: entry[source] for key, source in (("id", "id"), ("name", "name"), ("file", "file"), ("statement", "printed"), ("axioms", "axioms"))}
+                           for entry in found], "definitions": defined}
+    files = {here / "theorems.json": json.dumps(golden, indent=1, ensure_ascii=False) + "\n", here / "index.md": index(found),
+             here.parent / "coq_theorems.hpp": header(found)}
+    stale = 0
+    for path, text in files.items():
+        if "--write" in sys.argv[1:]:
+            path.write_text(text)
+        elif not path.exists() or path.read_text() != text:
+            stale += 1
+            (build / path.name).write_text(text)
+            subprocess.run(["diff", "-u", str(path), str(build / path.name)], check=False)
+            print(f"{path.relative_to(root)} differs from what Coq says")
+    claims = {entry["id"] for entry in found}
+    print(f"{len(found) - stale if stale else len(found)} theorems for {len(claims)} claims, {sum(1 for entry in found if entry['axioms'])} with axioms")
+    if stale:
+        sys.exit(1)
+
+
+main()

@@ -1,0 +1,53 @@
+// The theorems of proofs/coq that Coq's kernel accepts without axioms, by claim. Written by `./x coq`; do not edit.
+//   CoqTheorem, coq_theorems
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace torse::proofs {
+
+/// A machine-checked theorem and the claim that it proves, for every degree and every number of pieces.
+struct CoqTheorem {
+  std::string_view claim;
+  std::string_view name;
+};
+
+// clang-format off
+inline constexpr std::array<CoqTheorem, 32> coq_theorems{
+    CoqTheorem{"FJ07.1", "FJ07_1_curvature"},
+    CoqTheorem{"FJ07.2", "FJ07_2_ruling"},
+    CoqTheorem{"FJ07.3", "FJ07_3_normals"},
+    CoqTheorem{"FJ07.3", "FJ07_3_blossoms"},
+    CoqTheorem{"FJ07.4", "FJ07_4_cylinder"},
+    CoqTheorem{"FJ07.9", "FJ07_9_curve"},
+    CoqTheorem{"FJ07.10", "FJ07_10_star"},
+    CoqTheorem{"FJ07.10", "FJ07_10_recursion"},
+    CoqTheorem{"FJ07.10", "FJ07_10_jump"},
+    CoqTheorem{"FJ07.10", "FJ07_10_unique"},
+    CoqTheorem{"FJ07.11", "FJ07_11_recursion"},
+    CoqTheorem{"FJ07.11", "FJ07_11_cylinder"},
+    CoqTheorem{"FJ07.11", "FJ07_11_cone"},
+    CoqTheorem{"FJ07.11", "FJ07_11_needs_mu"},
+    CoqTheorem{"FJ07.12", "FJ07_12_aumann"},
+    CoqTheorem{"FJ07.12", "FJ07_12_barycentric"},
+    CoqTheorem{"FJ07.13", "FJ07_13_exists"},
+    CoqTheorem{"FJ07.13", "FJ07_13_unique"},
+    CoqTheorem{"FJ07.13", "FJ07_13_knot"},
+    CoqTheorem{"FJ07.13", "FJ07_13_knot_line"},
+    CoqTheorem{"FJ07.13", "FJ07_13_rulings"},
+    CoqTheorem{"FJ07.13", "FJ07_13_needs_off"},
+    CoqTheorem{"FJ07.14", "FJ07_14_closed"},
+    CoqTheorem{"FJ07.15", "FJ07_15_closed"},
+    CoqTheorem{"FJ07.16", "FJ07_16_closed"},
+    CoqTheorem{"FJ07.17", "FJ07_17_restriction"},
+    CoqTheorem{"FJ07.17", "FJ07_17_swap"},
+    CoqTheorem{"FJ07.C1", "FJ07_C1_blossoms"},
+    CoqTheorem{"FJ07.C1", "FJ07_C1_cells"},
+    CoqTheorem{"FJ07.C2", "FJ07_C2_cylinder"},
+    CoqTheorem{"FJ07.T1", "FJ07_T1_piece"},
+    CoqTheorem{"FJ07.T1", "FJ07_T1_developable"},
+};
+// clang-format on
+
+}  // namespace torse::proofs
