@@ -2,6 +2,7 @@
 #   torse_link_headers(BASE FOLDER...)         <build>/include/torse/FOLDER -> BASE/FOLDER
 #   torse_options(TARGET)                      warnings, sanitizers and coverage of our own presets
 #   torse_library(TARGET FOLDER LINK ...)      a static library of FOLDER/**/*.cpp (header-only while there is none)
+#   torse_embed(TARGET FOLDER)                 FOLDER/*.json as text in the library, see studies/built_in.hpp
 #   torse_program(TARGET FOLDER NAME N LINK .) the program <build>/N; all but main.cpp is a library, so tests reach it
 #   torse_plugin(TARGET FOLDER OF PROGRAM LINK ...)  a module of FOLDER/**/*.cpp beside the program, which opens it at run time
 #   torse_viewer(SOURCE FILE)                  puts FILE into the object of SOURCE, where FILE is there
@@ -52,6 +53,31 @@ function(torse_library target folder)
   endif()
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   add_library(torse::${name} ALIAS ${target})
+endfunction()
+
+function(torse_embed target folder)
+  file(GLOB designs CONFIGURE_DEPENDS "${folder}/*.json")
+  set(entries "")
+  foreach(design IN LISTS designs)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${design}")
+    cmake_path(GET design STEM stem)
+    file(READ "${design}" text)
+    string(APPEND entries "      {\"${stem}\", R\"design(${text})design\"},\n")
+  endforeach()
+  set(source "${PROJECT_BINARY_DIR}/${target}_built_in.cpp")
+  file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [=[#include "torse/studies/built_in.hpp"
+
+namespace torse::studies {
+
+const std::vector<BuiltIn>& built_in_designs() {
+  static const std::vector<BuiltIn> designs{
+@entries@  };
+  return designs;
+}
+
+}  // namespace torse::studies
+]=])
+  target_sources(${target} PRIVATE "${source}")
 endfunction()
 
 function(torse_program target folder)

@@ -48,6 +48,7 @@ std::function<int()> define_fit(CLI::App& app);
 std::function<int()> define_list(CLI::App& app);
 std::function<int()> define_recover(CLI::App& app);
 std::function<int()> define_replay(CLI::App& app);
+std::function<int()> define_study(CLI::App& app);
 std::function<int()> define_unroll(CLI::App& app);
 std::function<int()> define_verify(CLI::App& app);
 

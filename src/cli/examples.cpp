@@ -26,7 +26,7 @@ Json examples_section() {
   const RuledFile<Rational> surface{net.u, dehomogenize<Rational, 4>(net.p), dehomogenize<Rational, 4>(net.q)};
   return {{"kind", "examples"},
           {"data", examples_json(proofs::section8_rows<Rational>())},
-          {"pictures", {surface_picture("FJ21, section 8", surface, true, quick_singularities(surface), 121)}}};
+          {"pictures", {surface_picture("FJ21, section 8", surface, known_of(surface, SurfaceClass::tangent), 121)}}};
 }
 
 }  // namespace torse::cli

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/html_report.hpp"
+#include "torse/cli/page_sections.hpp"
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/figures/figure.hpp"
@@ -18,6 +20,7 @@ using figures::PaperFigure;
 struct FiguresOptions {
   std::vector<std::string> ids;
   std::string folder;
+  HtmlOption html;
 };
 
 // Those with the ids, or of the papers with the ids; all without one.
@@ -38,13 +41,18 @@ std::vector<PaperFigure> chosen(const std::vector<std::string>& ids) {
 }
 
 int run_figures(const FiguresOptions& options) {
+  require_viewer(options.html);
+  const std::vector<PaperFigure> list = chosen(options.ids);
   std::string text;
-  for (const PaperFigure& figure : chosen(options.ids)) {
+  for (const PaperFigure& figure : list) {
     text += fmt::format("{:<12} {}\n", figure.id, figure.title);
     if (options.folder.empty()) continue;
     make_folder(options.folder);
     const std::string file = (std::filesystem::path(options.folder) / (figure.id + ".svg")).string();
     write_file(file, figures::figure_svg(figure, figure.draw()));
+  }
+  if (options.html.wanted()) {
+    write_html(options.html, "The papers' figures", nlohmann::ordered_json::array({figures_section(list, true)}));
   }
   Terminal(stdout).print(text);
   return exit_code::success;
@@ -56,6 +64,7 @@ std::function<int()> define_figures(CLI::App& app) {
   const auto options = std::make_shared<FiguresOptions>();
   app.add_option("id", options->ids, "a figure, FJ07.Fig1, or all of a paper, FJ07 (all)")->type_name("ID");
   app.add_option("-o,--out", options->folder, "write each as ID.svg into this folder, which is made")->type_name("DIR");
+  add_html_option(app, options->html);
   return [options] { return run_figures(*options); };
 }
 

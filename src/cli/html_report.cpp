@@ -46,11 +46,12 @@ struct Kept {
   std::size_t letters;
   std::size_t entries;
   std::size_t pictures;
+  bool drawings = false;
 };
 
 /// Level by level less; the last one is a few kilobytes for each section.
 constexpr std::array<Kept, 6> levels{
-    {{20'000, 20'000, 400}, {2'000, 5'000, 100}, {500, 2'000, 20}, {200, 500, 4}, {80, 100, 1}, {40, 20, 0}}};
+    {{20'000, 20'000, 400, true}, {2'000, 5'000, 100}, {500, 2'000, 20}, {200, 500, 4}, {80, 100, 1}, {40, 20, 0}}};
 
 /// Cuts a text between two characters, never within one.
 std::string cut(const std::string& text, std::size_t letters) {
@@ -59,7 +60,7 @@ std::string cut(const std::string& text, std::size_t letters) {
   return text.substr(0, end) + "…";
 }
 
-/// Cuts texts and lists; pictures are whole or null.
+/// Cuts texts and lists; pictures are whole or left out, drawings whole or null.
 void thin(Json& json, const Kept& kept) {
   if (json.is_string() && json.get_ref<const std::string&>().size() > kept.letters) {
     json = cut(json.get_ref<const std::string&>(), kept.letters);
@@ -70,7 +71,9 @@ void thin(Json& json, const Kept& kept) {
   }
   if (!json.is_object()) return;
   for (auto& [key, value] : json.items()) {
-    if (key != "pictures") {
+    if (key == "svg") {
+      if (!kept.drawings) value = nullptr;
+    } else if (key != "pictures") {
       thin(value, kept);
     } else if (value.size() > kept.pictures) {
       value.erase(value.begin() + static_cast<std::ptrdiff_t>(kept.pictures), value.end());

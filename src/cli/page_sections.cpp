@@ -49,10 +49,7 @@ Json verdict_json(const CheckedFace& checked, const ReportCase& c) {
 Json picture_of(const CheckedFace& checked, std::size_t rulings) {
   if (!checked.face.surface) return nullptr;
   const RuledFile<Rational>& surface = *checked.face.surface;
-  const bool developable = checked.judgement->developable();
-  const SurfaceClass kind = checked.judgement->classification.kind;
-  const bool edge = developable && (kind == SurfaceClass::tangent || kind == SurfaceClass::cone);
-  return surface_picture(checked.face.name, surface, edge, developable ? quick_singularities(surface) : std::nullopt,
+  return surface_picture(checked.face.name, surface, known_of(surface, checked.judgement->classification.kind),
                          rulings);
 }
 
@@ -78,6 +75,27 @@ Json fit_section(const RailsFile<Rational>& rails, const FittedStrip& strip, Jso
                {"states", {state_json("T = t", strip.old_rulings), state_json("fitted", strip.rulings)}},
                {"singular", Json::array()}};
   return {{"kind", "fit"}, {"data", std::move(data)}, {"pictures", Json::array({std::move(picture)})}};
+}
+
+Json figures_section(const std::vector<figures::PaperFigure>& chosen, bool drawings) {
+  constexpr std::size_t rulings = 81;
+  Json list = Json::array();
+  Json pictures = Json::array();
+  for (const figures::PaperFigure& paper : chosen) {
+    const figures::Figure figure = paper.draw();
+    list.push_back({{"id", paper.id},
+                    {"title", paper.title},
+                    {"caption", figure.caption},
+                    {"svg", drawings ? Json(figures::figure_svg(paper, figure)) : Json()}});
+    Json surfaces = Json::array();
+    for (const figures::FigureSurface& part : figure.surfaces) {
+      const RuledFile<Rational> surface{part.surface.knots, dehomogenize<Rational, 4>(part.surface.c),
+                                        dehomogenize<Rational, 4>(part.surface.d)};
+      surfaces.push_back(surface_picture(part.name, surface, known_of(surface, part.kind), rulings));
+    }
+    pictures.push_back(std::move(surfaces));
+  }
+  return {{"kind", "figures"}, {"figures", list}, {"pictures", pictures}};
 }
 
 }  // namespace torse::cli

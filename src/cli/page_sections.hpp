@@ -1,6 +1,7 @@
 // The sections of pages with surfaces, docs/report.md.
 //   check_section      what torse check found of each face
 //   fit_section        what torse fit made of a pair of rails
+//   figures_section    figures of the papers with their surfaces
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 
 #include "torse/cli/checked.hpp"
 #include "torse/cli/fitting.hpp"
+#include "torse/figures/figure.hpp"
 
 namespace torse::cli {
 
@@ -20,5 +22,9 @@ nlohmann::ordered_json check_section(const std::vector<CheckedFace>& faces, cons
 /// {"kind": "fit", "data", "pictures"}: the picture has two states, T = t and the fitted mapping.
 nlohmann::ordered_json fit_section(const RailsFile<Rational>& rails, const FittedStrip& strip,
                                    nlohmann::ordered_json data);
+
+/// {"kind": "figures", "figures": [{"id", "title", "caption", "svg"}], "pictures"}: for each figure the list of its
+/// surfaces. Without `drawings` every "svg" is null: they are 85 kilobytes each.
+nlohmann::ordered_json figures_section(const std::vector<figures::PaperFigure>& chosen, bool drawings);
 
 }  // namespace torse::cli

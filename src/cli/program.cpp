@@ -31,6 +31,8 @@ constexpr Command commands[] = {
     {"convert", "write ruled surfaces as STEP, IGES, OBJ, STL, glTF or JSON", define_convert},
     {"campaign", "properties over ranges of seeds, in a database that can be resumed, merged and compared",
      define_campaign},
+    {"study", "rounding errors of the formulas, by designs of experiment; where the digits of an input are lost",
+     define_study},
     {"unroll", "a developable surface as a flat plate: SVG, DXF, JSON with certified lengths", define_unroll},
 };
 

@@ -170,8 +170,15 @@ std::optional<double> edge_position(const RailJet& c, const RailJet& d) {
   return v;
 }
 
-Json surface_picture(const std::string& name, const RuledFile<Rational>& surface, bool developable,
-                     const std::optional<std::vector<SingularSet>>& singular, std::size_t rulings) {
+Known known_of(const RuledFile<Rational>& surface, SurfaceClass kind) {
+  if (kind == SurfaceClass::none) return {};
+  return {.developable = true,
+          .edge = kind == SurfaceClass::tangent || kind == SurfaceClass::cone,
+          .singular = quick_singularities(surface)};
+}
+
+Json surface_picture(const std::string& name, const RuledFile<Rational>& surface, const Known& known,
+                     std::size_t rulings) {
   const std::optional<UnitFrame> frame = unit_frame(surface.c, surface.d);
   if (!frame || surface.c.points.size() > most_picture_points || !within_budget(surface, most_picture_bits)) {
     return nullptr;
@@ -179,14 +186,17 @@ Json surface_picture(const std::string& name, const RuledFile<Rational>& surface
   try {
     const RuledFile<Rational> unit = in_unit_cube(surface, *frame);
     const Rails rails = unit_rails({{unit.knots, unit.c}, {unit.knots, unit.d}});
-    const std::vector<SampledRuling> lines = even_rulings(rails, rulings);
-    Json state =
-        state_json("surface", lines, developable ? edge_of(rails, lines) : std::vector<std::optional<double>>{});
+    std::vector<SampledRuling> lines = even_rulings(rails, rulings);
+    if (known.developable) {
+      for (SampledRuling& line : lines) line.warp = 0;
+    }
+    using Edge = std::vector<std::optional<double>>;
+    Json state = state_json("surface", lines, known.edge ? edge_of(rails, lines) : Edge{});
     return {{"name", name},
             {"size", short_number(frame->size)},
             {"net", net_json(surface, *frame)},
             {"states", Json::array({std::move(state)})},
-            {"singular", singular ? singular_picture(*singular, surface.knots) : Json::array()}};
+            {"singular", known.singular ? singular_picture(*known.singular, surface.knots) : Json::array()}};
   } catch (const InvalidInput&) {
     return nullptr;
   }

@@ -1,6 +1,6 @@
 // What a page draws of a ruled surface: its control net and sampled rulings, in doubles, moved and scaled to size 1.
 //   UnitFrame, unit_frame     the map into the unit cube
-//   Drawn                     which edge and singular points there are to draw
+//   Known                     what was decided of the surface
 //   net_json                  the control net          state_json      sampled rulings with their warp and edge
 //   surface_picture           both, and where the patch is singular
 #pragma once
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "torse/developable/classify.hpp"
 #include "torse/exact/decide/singularities.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/io/spline_file.hpp"
@@ -41,9 +42,20 @@ nlohmann::ordered_json state_json(const std::string& label, const std::vector<qu
 /// a derivative along W iff v = -(c' x W).(W' x W) / |W' x W|^2. None where W' x W vanishes, as on all of a cylinder.
 std::optional<double> edge_position(const quasi::RailJet& c, const quasi::RailJet& d);
 
+/// What was decided of a surface exactly. A developable one is drawn without warp, which doubles would find where a
+/// normal nearly vanishes.
+struct Known {
+  bool developable = false;
+  bool edge = false;  ///< whether it has an edge of regression or a vertex
+  std::optional<std::vector<SingularSet>> singular{};
+};
+
+/// Of a surface of this class, its singular places found if that is quick.
+Known known_of(const RuledFile<Rational>& surface, SurfaceClass kind);
+
 /// {"name", "size", "net", "states": [one], "singular"}, or null for a surface that doubles cannot draw or that is too
-/// large to sample. `developable` surfaces get their edge, `singular` places are drawn.
-nlohmann::ordered_json surface_picture(const std::string& name, const RuledFile<Rational>& surface, bool developable,
-                                       const std::optional<std::vector<SingularSet>>& singular, std::size_t rulings);
+/// large to sample.
+nlohmann::ordered_json surface_picture(const std::string& name, const RuledFile<Rational>& surface, const Known& known,
+                                       std::size_t rulings);
 
 }  // namespace torse::cli

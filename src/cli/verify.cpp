@@ -18,6 +18,7 @@
 #include "torse/cli/command.hpp"
 #include "torse/cli/examples.hpp"
 #include "torse/cli/html_report.hpp"
+#include "torse/cli/page_sections.hpp"
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
@@ -205,10 +206,13 @@ std::vector<std::string> compare(const VerifyOptions& options, const std::vector
   }
 }
 
-/// The ledger and, unless the run is about some claims only, the worked examples.
+/// The ledger and, unless the run is about some claims only, the worked examples and the surfaces of the
+/// papers' figures.
 nlohmann::ordered_json html_sections(const VerifyOptions& options, const std::string& json) {
   nlohmann::ordered_json sections{{{"kind", "ledger"}, {"data", nlohmann::ordered_json::parse(json)}}};
-  if (options.whole()) sections.push_back(examples_section());
+  if (!options.whole()) return sections;
+  sections.push_back(examples_section());
+  sections.push_back(figures_section(figures::all_figures(), false));
   return sections;
 }
 
@@ -228,7 +232,7 @@ int run_verify(VerifyOptions& options) {
   std::vector<ReportCase> cases;
   for (const Entry& entry : entries) cases.push_back(case_of(entry, options.plan));
   write_case_reports(options.reports, cases);
-  write_html(options.html, "The papers' claims", html_sections(options, json));
+  if (options.html.wanted()) write_html(options.html, "The papers' claims", html_sections(options, json));
   const int code = code_of(entries, !worse.empty());
   if (options.reports.use_stdout()) return code;
 

@@ -50,6 +50,7 @@ std::vector<P> cell_net(const KnotList<S>& u, std::span<const P> c, Cell<S> cell
   }
   std::vector<P> d{d0};
   for (int i = 1; i <= u.last(); ++i) {
+    const FormulaScope<S> scope("FJ07.18", "d", i);
     const std::size_t at_i = static_cast<std::size_t>(i);
     if (i > 1) cell = next_cell(u, cell, i);
     P next = combine(from_int<S>(1) - cell.l - cell.m, c[at_i - 1], cell.l, c[at_i]);

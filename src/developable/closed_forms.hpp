@@ -45,6 +45,7 @@ P weighted_vertices(const KnotList<S>& u, std::span<const P> c, const S& m, int 
 /// (M-u_{N-1})/(M-u_0) P(1,N) c_0 + sum_{i=1}^{N-1} (u_{i+n}-u_{i-1})/(M-u_{i-1}) Q(i,N) c_i.
 template <Field S, class P>
 P eq20(const KnotList<S>& u, std::span<const P> c, const S& m, int vertex) {
+  const FormulaScope<S> scope("FJ07.20", "a", vertex);
   P a = weighted_vertices(u, c, m, vertex);
   add_scaled(a, (m - u[vertex - 1]) / (m - u[0]) * product_p(u, m, 1, vertex), c[0]);
   return a;
@@ -54,6 +55,7 @@ P eq20(const KnotList<S>& u, std::span<const P> c, const S& m, int vertex) {
 template <Field S, class P>
 P eq14(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, const P& d0, int vertex) {
   require_off_knots(u, m);
+  const FormulaScope<S> scope("FJ07.14", "d", vertex);
   const int n = u.degree();
   P d = scaled((m - lambda) / (m - u[vertex - 1]), weighted_vertices(u, c, m, vertex));
   add_scaled(d, product_p(u, m, 0, vertex), d0);
@@ -66,6 +68,7 @@ P eq14(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, 
 template <Field S, class P>
 P eq15(const KnotList<S>& u, std::span<const P> c, const S& lambda, const S& m, const P& d0, int vertex) {
   require_off_knots(u, m);
+  const FormulaScope<S> scope("FJ07.15", "d-c", vertex);
   P ruling = scaled((lambda - m) / (m - u[vertex - 1]),
                     difference(c[static_cast<std::size_t>(vertex)], eq20(u, c, m, vertex)));
   add_scaled(ruling, product_p(u, m, 0, vertex), difference(d0, c[0]));
@@ -87,6 +90,7 @@ std::vector<S> reciprocal_distances(const KnotList<S>& u, const S& m, int count)
 template <Field S, class P>
 P eq16_sum(const KnotList<S>& u, const S& lambda, const S& m, const std::vector<S>& over, const std::vector<P>& steps,
            const P& ruling, int vertex) {
+  const FormulaScope<S> scope("FJ07.16", "d-c", vertex);
   P total = PointTraits<P>::zero();
   S p = from_int<S>(1);  // P(i+1, N)
   for (int i = vertex - 1; i >= 0; --i) {

@@ -15,6 +15,7 @@
 
 #include "torse/algebra/bernstein.hpp"
 #include "torse/algebra/determinant.hpp"
+#include "torse/scalar/formula.hpp"
 #include "torse/spline/basis.hpp"
 #include "torse/spline/blossom.hpp"
 
@@ -93,6 +94,7 @@ FormMatrix<S, 3> span_matrix(const KnotList<S>& u, std::span<const Vec<S, 3>> c,
 template <Field S>
 BinaryForm<S> span_determinant(const KnotList<S>& u, std::span<const Vec<S, 4>> p, std::span<const Vec<S, 4>> q,
                                int k) {
+  const FormulaScope<S> scope("FJ21.C3.1", "determinant of piece", k);
   return form_determinant<S>(span_matrix<S>(u, p, q, k));
 }
 
@@ -101,6 +103,7 @@ BinaryForm<S> span_determinant(const KnotList<S>& u, std::span<const Vec<S, 4>> 
 template <Field S>
 BinaryForm<S> span_determinant(const KnotList<S>& u, std::span<const Vec<S, 3>> c, std::span<const Vec<S, 3>> d,
                                int k) {
+  const FormulaScope<S> scope("FJ07.3", "determinant of piece", k);
   return form_determinant<S>(span_matrix<S>(u, c, d, k));
 }
 

@@ -64,6 +64,7 @@ struct ChordCoordinates {
 /// n = v x w (before FJ07.21). Throws InvalidInput naming "v" for parallel v, w.
 template <Field S>
 ChordCoordinates<S> chord_coordinates(const Vec<S, 3>& x, const Vec<S, 3>& v, const Vec<S, 3>& w) {
+  const FormulaScope<S> scope("FJ07.20", "alpha, beta", 0);
   const Vec<S, 3> n = cross(v, w);
   const S volume = det3(v, w, n);
   if (definitely(is_zero(volume))) throw InvalidInput("v", "expected end rulings that are not parallel");
@@ -82,6 +83,7 @@ struct EndRulings {
 template <Field S>
 EndRulings<S> end_rulings(const KnotList<S>& u, const ChordCoordinates<S>& chord, const S& m0, const S& lambda) {
   require_off_knots(u, m0);
+  const FormulaScope<S> scope("FJ07.21", "sigma_0, tau_0", 0);
   const S over = m0 - u[u.last() - 1];
   return {chord.alpha * (lambda - m0) / over / product_p(u, m0, 0, u.last()), chord.beta * (m0 - lambda) / over};
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "torse/scalar/formula.hpp"
 #include "torse/spline/insertion.hpp"
 
 namespace torse {
@@ -57,6 +58,7 @@ std::vector<P> aumann_net(std::span<const P> c, const S& lambda, const S& m, con
   const S one = from_int<S>(1);
   std::vector<P> d{d0};
   for (std::size_t i = 0; i + 1 < c.size(); ++i) {
+    const FormulaScope<S> scope("FJ07.12", "D", static_cast<int>(i) + 1);
     P next = combine(one - lambda, c[i], lambda, c[i + 1]);
     add_scaled(next, m - one, d[i]);
     divide(next, m);
@@ -76,6 +78,7 @@ std::vector<std::vector<P>> piecewise_net(const KnotList<S>& u, std::span<const 
   S m_k = from_int<S>(0);
   int before = 0;
   for (int k : u.proper_pieces()) {
+    const FormulaScope<S> scope("FJ07.10", "piece", k);
     const bool follows = before != 0 && before == k - 1;
     lambda_k = follows ? next_local(u, lambda_k, k) : local_parameter(u, lambda, k);
     m_k = follows ? next_local(u, m_k, k) : local_parameter(u, m, k);

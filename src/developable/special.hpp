@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "torse/scalar/formula.hpp"
 #include "torse/spline/curve.hpp"
 
 namespace torse {
@@ -20,7 +21,10 @@ std::vector<P> cylinder_net(std::span<const P> c, const P& v, std::span<const S>
     throw InvalidInput("lengths", "expected " + std::to_string(c.size()) + ", found " + std::to_string(lengths.size()));
   }
   std::vector<P> d(c.begin(), c.end());
-  for (std::size_t i = 0; i < d.size(); ++i) add_scaled(d[i], lengths[i], v);
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    const FormulaScope<S> scope("FJ07.4", "d", static_cast<int>(i));
+    add_scaled(d[i], lengths[i], v);
+  }
   return d;
 }
 
@@ -30,6 +34,7 @@ template <Field S, Point<S> P>
 std::vector<P> cone_net(std::span<const P> c, const S& alpha, const P& d0) {
   std::vector<P> d{d0};
   for (std::size_t i = 1; i < c.size(); ++i) {
+    const FormulaScope<S> scope("FJ07.6", "d", static_cast<int>(i));
     P next = d.back();
     add_scaled(next, alpha, difference(c[i], c[i - 1]));
     d.push_back(std::move(next));
@@ -53,6 +58,7 @@ std::vector<P> tangent_net(std::span<const P> c) {
   const int n = static_cast<int>(c.size()) - 1;
   std::vector<P> d(c.begin(), c.end());
   for (int i = 0; i <= n; ++i) {
+    const FormulaScope<S> scope("FJ07.7", "d", i);
     const std::size_t at_i = static_cast<std::size_t>(i);
     add_scaled(d[at_i], from_int<S>(2 * i - n), c[at_i]);
     if (i < n) add_scaled(d[at_i], from_int<S>(n - i), c[at_i + 1]);

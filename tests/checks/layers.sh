@@ -1,5 +1,5 @@
 #!/bin/sh
-# layers.sh ROOT: every #include under src, exact, proofs, fuzz and figures obeys the layers. Prints each violation; exit 1 if any.
+# layers.sh ROOT: every #include under src, exact, proofs, fuzz, figures and studies obeys the layers. Prints each violation; exit 1 if any.
 #   a lower layer never includes a higher one; exact knows scalar and algebra only; nobody but cli includes cli
 #   exact/decide and the other folders of exact that are no arithmetics are a layer of their own, above quasi and exact
 #   src/cad, the plugin, knows io only and is included by nobody; it alone may use OpenCASCADE
@@ -11,7 +11,7 @@
 set -eu
 cd "$1"
 folders=
-for folder in src exact proofs fuzz figures; do
+for folder in src exact proofs fuzz figures studies; do
   if [ -d "$folder" ]; then folders="$folders $folder"; fi
 done
 find $folders -name '*.hpp' -o -name '*.cpp' | LC_ALL=C sort | awk '
@@ -28,7 +28,8 @@ BEGIN {
   may["decide"] = may["quasi"] " exact decide"
   may["proofs"] = may["fuzz"] = may["io"] " exact decide proofs fuzz"
   may["figures"] = may["io"] " exact decide proofs figures"
-  may["cli"] = may["targets"] = may["proofs"] " figures cli"
+  may["studies"] = may["proofs"] " studies"
+  may["cli"] = may["targets"] = may["studies"] " figures cli"
 }
 function arithmetic(folder) { return folder ~ /^(ball|bigfloat|instrumented|modular|rational|roots|symbolic)$/ }
 function wrong(reason) { print file ":" row ": " reason; ++violations }

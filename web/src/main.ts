@@ -1,6 +1,7 @@
 // The page of a report.
 import { command, h } from "./dom.ts";
 import { examplesView } from "./examples.ts";
+import { figuresView } from "./figures.ts";
 import { fitView } from "./fit.ts";
 import { whenIdle } from "./idle.ts";
 import { ledgerView } from "./ledger/view.ts";
@@ -19,6 +20,8 @@ function view(section: Section, index: number): HTMLElement {
       return surfacesView(section);
     case "fit":
       return fitView(section);
+    case "figures":
+      return figuresView(section);
     case "plots":
       return plotsView(section, index);
   }

@@ -11,7 +11,7 @@ export interface Report {
   notes: string[];
 }
 
-export type Section = LedgerSection | ExamplesSection | SurfacesSection | FitSection | PlotsSection;
+export type Section = LedgerSection | ExamplesSection | SurfacesSection | FitSection | FiguresSection | PlotsSection;
 
 export interface Score {
   killed: number;
@@ -164,6 +164,13 @@ export interface FitSection {
   kind: "fit";
   data: { surfaces: FittedSurface[] };
   pictures: (Picture | null)[];
+}
+
+export interface FiguresSection {
+  kind: "figures";
+  figures: { id: string; title: string; caption: string; svg: string | null }[];
+  /** The surfaces of each figure. */
+  pictures: (Picture | null)[][];
 }
 
 export interface Axis {

@@ -1,4 +1,4 @@
-// The page of torse example.
+// The pages of torse example and torse figures.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -42,5 +42,21 @@ test("the command at its end makes the same page", async () => {
   const earlier = readFileSync(file);
   torse(command.split(" ").slice(1));
   assert.ok(readFileSync(file).equals(earlier));
+  await page.context().close();
+});
+
+test("figures: each has its drawing and its surfaces", async () => {
+  const path = join(folder.path, "figures.html");
+  torse(["figures", "FJ07", "FJ21", "--html", path]);
+  const { page, complaints } = await openPage(browser, path);
+  const ids = await page.$$eval("#figures article", (list) => list.map((element) => element.id));
+  assert.equal(ids.length, 12);
+  assert.equal(ids[0], "FJ07.Fig1");
+  await page.locator("#figures article img").first().scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => (document.querySelector("#figures img") as HTMLImageElement).naturalWidth > 100);
+  const surfaces = await page.$$eval("#figures article", (list) => list.map((element) => element.querySelectorAll("canvas").length));
+  assert.ok(surfaces.filter((count) => count > 0).length >= 10);
+  assert.deepEqual(complaints, []);
+  assert.deepEqual(await audit(page), []);
   await page.context().close();
 });

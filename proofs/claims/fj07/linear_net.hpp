@@ -1,5 +1,6 @@
 // FJ07, section 3: the linear construction (13) and its closed forms (14), (15), (16).
 //   Eq13, Eq14, Eq15, Eq16
+//   Eq13Rulings             (13) in rulings, which is what the library computes
 #pragma once
 
 #include <algorithm>
@@ -53,6 +54,39 @@ developable.)",
 struct ClosedForm : NetClaim {
   static constexpr PointKind points = PointKind::linear;
   static constexpr int dimension = 3;
+};
+
+/// FJ07.13.rulings: (13) in the rulings d_i - c_i, from any vertex.
+struct Eq13Rulings : ClosedForm {
+  static const ClaimInfo& info() {
+    static const ClaimInfo value{
+        .id = "FJ07.13.rulings",
+        .source = "equation (13), rewritten",
+        .title = "the linear construction ruling by ruling",
+        .statement = R"(The net of (13) is that of
+$(M^*-u_i)(d_{i+1}-c_{i+1})=(M^*-u_{i+n})(d_i-c_i)+(\Lambda^*-M^*)(c_{i+1}-c_i)$, $i=0..L-1$, from whichever of its
+vertices it is computed.)",
+        .kind = Kind::identity,
+        .hypotheses = {off_before_last, off_from_last},
+        .mutants = {"L* and M* exchanged", "the sign of L*-M*", "the neighbouring knot of the ratio"},
+        .remark = "Its rounding errors do not depend on the place of the origin: docs/findings.md."};
+    return value;
+  }
+
+  template <class S, class P>
+  static void residual(const In<S, P>& in, Mutant mutant, Equations<S>& equations) {
+    const auto& [u, c, d0, lambda, m] = in;
+    const std::vector<P> d = printed_net<S, P>(u, c, lambda, m, 0, d0);
+    std::vector<S> list = u.list();
+    if (mutant.is(3)) list.back() += from_int<S>(1);
+    const KnotList<S> v(u.degree(), list);
+    const S gap_end = mutant.is(2) ? m + m - lambda : lambda;
+    for (const int k : {0, u.last() / 2, u.last()}) {
+      const std::vector<P> row = net_from<S, P>(v, c, mutant.is(1) ? m : gap_end, mutant.is(1) ? lambda : m, k,
+                                                d[static_cast<std::size_t>(k)]);
+      equations.equal(d, row);
+    }
+  }
 };
 
 /// FJ07.14: the closed form of d_N, against the recursion (13), for every vertex.

@@ -17,6 +17,6 @@
 namespace torse::proofs::fj07 {
 
 using Claims = ClaimList<Eq1, Eq2, Eq3, Eq4, Eq5, Eq6, Eq7, Eq8, Eq9, Theorem1, Eq10, Eq11, Eq12, Corollary1, Eq13,
-                         Corollary2, Eq14, Eq15, Eq16, Eq17, Eq18, Eq19, Corollary3, Eq20, Eq21>;
+                         Eq13Rulings, Corollary2, Eq14, Eq15, Eq16, Eq17, Eq18, Eq19, Corollary3, Eq20, Eq21>;
 
 }  // namespace torse::proofs::fj07

@@ -68,7 +68,7 @@ TEST(SurfacePicture, RulingsAreThoseOfTheExactSurface) {
   constexpr std::size_t count = 25;
   for (const RuledFile<Q>& surface : {warped(), section8()}) {
     const UnitFrame frame = *unit_frame(surface.c, surface.d);
-    const Json picture = surface_picture("x", surface, false, std::nullopt, count);
+    const Json picture = surface_picture("x", surface, Known{}, count);
     const Json& state = picture["states"][0];
     ASSERT_EQ(state["rulings"].size(), count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -87,7 +87,7 @@ TEST(SurfacePicture, RulingsAreThoseOfTheExactSurface) {
 TEST(SurfacePicture, WarpIsThatOfTheExactSine) {
   constexpr std::size_t count = 25;
   const RuledFile<Q> surface = warped();
-  const Json picture = surface_picture("x", surface, false, std::nullopt, count);
+  const Json picture = surface_picture("x", surface, Known{}, count);
   for (std::size_t i = 0; i < count; ++i) {
     const Q t = parameter(surface.knots, i, count);
     const Q square =
@@ -98,11 +98,19 @@ TEST(SurfacePicture, WarpIsThatOfTheExactSine) {
   EXPECT_FALSE(picture["states"][0].contains("edge"));
 }
 
+TEST(SurfacePicture, WhatIsDecidedToBeDevelopableHasNoWarp) {
+  const Json picture = surface_picture("x", section8(), known_of(section8(), SurfaceClass::tangent), 25);
+  for (const Json& warp : picture["states"][0]["warp"]) EXPECT_EQ(warp, 0);
+  EXPECT_TRUE(picture["states"][0].contains("edge"));
+  EXPECT_FALSE(known_of(section8(), SurfaceClass::cylinder).edge);
+  EXPECT_FALSE(known_of(warped(), SurfaceClass::none).developable);
+}
+
 TEST(SurfacePicture, EdgeIsThatOfFJ21) {
   // v of homogeneous rows is 3/2 t + 3 there; of points it is v omega / ((1-v) w + v omega).
   constexpr std::size_t count = 11;
   const RuledFile<Q> surface = section8();
-  const Json picture = surface_picture("x", surface, true, std::nullopt, count);
+  const Json picture = surface_picture("x", surface, Known{.edge = true}, count);
   const std::vector<Vec<Q, 4>> p = homogeneous(surface.c);
   const std::vector<Vec<Q, 4>> q = homogeneous(surface.d);
   for (std::size_t i = 0; i < count; ++i) {
@@ -120,7 +128,7 @@ TEST(SurfacePicture, EdgeOfAConeIsItsVertex) {
   const RuledFile<Q> cone{bezier_knots<Q>(2),
                           {{point(1, 0, 1), point(1, 1, 1), point(0, 1, 2)}, ones},
                           {{point(2, 0, 2), point(2, 2, 2), point(0, 2, 4)}, ones}};
-  const Json picture = surface_picture("x", cone, true, std::nullopt, 9);
+  const Json picture = surface_picture("x", cone, Known{.edge = true}, 9);
   for (const Json& v : picture["states"][0]["edge"]) EXPECT_NEAR(v, -1, 1e-6);
 }
 
@@ -128,13 +136,13 @@ TEST(SurfacePicture, ACylinderHasNoEdge) {
   const std::vector<Q> ones(2, Q(1));
   const RuledFile<Q> plane{
       bezier_knots<Q>(1), {{point(0, 0, 0), point(1, 0, 0)}, ones}, {{point(0, 1, 0), point(1, 1, 0)}, ones}};
-  const Json picture = surface_picture("x", plane, true, std::nullopt, 3);
+  const Json picture = surface_picture("x", plane, Known{.edge = true}, 3);
   for (const Json& v : picture["states"][0]["edge"]) EXPECT_TRUE(v.is_null());
 }
 
 TEST(SurfacePicture, NumbersOfAnySizeAreDrawn) {
   const RuledFile<Q> surface = warped();
-  const Json usual = surface_picture("x", surface, false, std::nullopt, 9);
+  const Json usual = surface_picture("x", surface, Known{}, 9);
   Q huge(1);
   for (int i = 0; i < 400; ++i) huge *= Q(10);
   for (const Q& factor : {huge, Q(Q(1) / huge), Q(-7)}) {
@@ -144,7 +152,7 @@ TEST(SurfacePicture, NumbersOfAnySizeAreDrawn) {
         for (int j = 0; j < 3; ++j) x[j] = factor * x[j];
       }
     }
-    const Json picture = surface_picture("x", other, false, std::nullopt, 9);
+    const Json picture = surface_picture("x", other, Known{}, 9);
     EXPECT_EQ(picture["states"][0]["warp"], usual["states"][0]["warp"]);
   }
 }
@@ -152,7 +160,7 @@ TEST(SurfacePicture, NumbersOfAnySizeAreDrawn) {
 TEST(SurfacePicture, RulingsAtInfinityAreLeftOut) {
   RuledFile<Q> surface = warped();
   surface.c.weights = {Q(1), Q(-3), Q(-3), Q(-3), Q(1)};
-  const Json picture = surface_picture("x", surface, false, std::nullopt, 101);
+  const Json picture = surface_picture("x", surface, Known{}, 101);
   std::size_t gaps = 0;
   for (const Json& ruling : picture["states"][0]["rulings"]) gaps += ruling.is_null() ? 1U : 0U;
   EXPECT_GT(gaps, 0U);
@@ -161,7 +169,7 @@ TEST(SurfacePicture, RulingsAtInfinityAreLeftOut) {
 
 TEST(SurfacePicture, OnePointIsNotDrawn) {
   const WeightedPoints<Q, 3> one{{point(1, 2, 3), point(1, 2, 3)}, {Q(1), Q(1)}};
-  EXPECT_TRUE(surface_picture("x", {bezier_knots<Q>(1), one, one}, false, std::nullopt, 9).is_null());
+  EXPECT_TRUE(surface_picture("x", {bezier_knots<Q>(1), one, one}, Known{}, 9).is_null());
 }
 
 TEST(SurfacePicture, SingularPlacesAreSharesOfTheDomain) {
@@ -172,7 +180,7 @@ TEST(SurfacePicture, SingularPlacesAreSharesOfTheDomain) {
   SingularSet set{Singularity::edge, {}, {}};
   set.from.root = {Q(3), Q(3)};
   set.to.root = {Q(4), Q(4)};
-  const Json picture = surface_picture("x", surface, true, std::vector<SingularSet>{set}, 9);
+  const Json picture = surface_picture("x", surface, {.singular = std::vector<SingularSet>{set}}, 9);
   EXPECT_EQ(picture["singular"][0], (Json{{"reason", "edge"}, {"from", 0.25}, {"to", 0.5}}));
 }
 

@@ -1,12 +1,16 @@
 // A picture of a ruled surface in 3D, with switches for what is drawn and a legend of the warp angles.
 import * as three from "three";
 import { h } from "../dom.ts";
+import { whenIdle } from "../idle.ts";
 import type { Picture } from "../report.ts";
 import { colour, onTheme } from "../theme.ts";
 import { warpStyle } from "./colour.ts";
 import { orbit } from "./orbit.ts";
 import { box, edgeRuns, largestWarp, lines, netLines, noWarp, type Point, sideView, singularLines, strip } from "./shape.ts";
 import { show } from "./stage.ts";
+
+/** How many there are: each has its own group of radio buttons. */
+let pictures = 0;
 
 type Themed = { material: three.LineBasicMaterial | three.PointsMaterial; name: string };
 
@@ -125,9 +129,17 @@ export function description(picture: Picture): string {
   return `3D view of ${picture.name}, about ${picture.size} units large. ${parts.join("; ")}.${singular} Arrow keys turn, plus and minus zoom, 0 resets.`;
 }
 
+/** A canvas with switches below it. Both come to life when the page is idle, since many pictures take a moment. */
 export function surfaceView(picture: Picture): HTMLElement {
-  const largest = largestWarp(picture);
   const canvas = h("canvas", { class: "scene", tabindex: 0, role: "img", "aria-label": description(picture) });
+  const switches = h("figcaption", { class: "switches" });
+  whenIdle(() => switches.append(...assembled(picture, canvas)));
+  return h("figure", { class: "picture" }, canvas, switches);
+}
+
+/** Draws the picture on the canvas; returns its switches. */
+function assembled(picture: Picture, canvas: HTMLCanvasElement): HTMLElement[] {
+  const largest = largestWarp(picture);
   const scene = new three.Scene();
   scene.add(new three.HemisphereLight(0xffffff, 0x777788, 2.2));
   const camera = new three.PerspectiveCamera(32, 1.6);
@@ -141,6 +153,7 @@ export function surfaceView(picture: Picture): HTMLElement {
   const { middle, radius } = box(picture);
   const control = orbit(view, new three.Vector3(...middle), new three.Vector3(...sideView(picture)), radius * 3.3);
 
+  const group = `state-${++pictures}`;
   let state = picture.states.length - 1;
   let rulings = true;
   const apply = () => {
@@ -168,7 +181,7 @@ export function surfaceView(picture: Picture): HTMLElement {
           { class: "states" },
           h("legend", {}, "Surface"),
           ...picture.states.map(({ label }, i) => {
-            const button = h("input", { type: "radio", name: `state-${picture.name}`, checked: i === state });
+            const button = h("input", { type: "radio", name: group, checked: i === state });
             button.addEventListener("change", () => {
               state = i;
               apply();
@@ -178,23 +191,17 @@ export function surfaceView(picture: Picture): HTMLElement {
         );
   const few = (picture.net?.c.points.length ?? 0) <= 60;
   apply();
-  return h(
-    "figure",
-    { class: "picture" },
-    canvas,
-    h(
-      "figcaption",
-      { class: "switches" },
-      states,
-      switchButton("Rulings", true, (on) => {
-        rulings = on;
-        apply();
-      }),
-      part("net", "Control net", few),
-      part("edge", "Edge of regression", true),
-      part("singular", "Singular rulings", true),
-      h("button", { type: "button", click: () => control.reset() }, "Reset view"),
-      largest > noWarp ? legend(largest) : h("span", { class: "note" }, "no warp"),
-    ),
-  );
+  const all = [
+    states,
+    switchButton("Rulings", true, (on) => {
+      rulings = on;
+      apply();
+    }),
+    part("net", "Control net", few),
+    part("edge", "Edge of regression", true),
+    part("singular", "Singular rulings", true),
+    h("button", { type: "button", click: () => control.reset() }, "Reset view"),
+    largest > noWarp ? legend(largest) : h("span", { class: "note" }, "no warp"),
+  ];
+  return all.filter((element) => element !== null);
 }

@@ -1,0 +1,10 @@
+// The routes over BigFloat<53>.
+#include "torse/exact/bigfloat/bigfloat.hpp"
+#include "torse/studies/route_table.hpp"
+#include "torse/studies/tables.hpp"
+
+namespace torse::studies {
+
+Computed run_mpfr53(std::size_t route, const Case& in) { return run_in<BigFloat<53>>(route, in); }
+
+}  // namespace torse::studies
