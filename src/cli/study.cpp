@@ -15,6 +15,7 @@
 #include "torse/cli/build_id.hpp"
 #include "torse/cli/claims.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/html_report.hpp"
 #include "torse/cli/study.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
@@ -34,6 +35,7 @@ struct StudyOptions {
   std::string json;
   std::string csv;
   std::string svg;
+  HtmlOption html;
 };
 
 void print_list() {
@@ -109,6 +111,7 @@ std::function<void(std::size_t, std::size_t)> progress_line() {
 }
 
 int run_design(const StudyOptions& options) {
+  require_viewer(options.html);
   if (options.json == "-" && options.csv == "-") throw UsageError("only one of --json and --csv can be -");
   const studies::Task task = task_of(options);
   const std::string part = journal_file(options);
@@ -121,6 +124,9 @@ int run_design(const StudyOptions& options) {
   if (!options.csv.empty()) write_file(options.csv, study_csv(task, records));
   const StudySummary summary = summary_of(task, records);
   if (!options.svg.empty()) write_file(options.svg, study_svg(task, summary));
+  if (options.html.wanted()) {
+    write_html(options.html, "Numerical stability", nlohmann::ordered_json::array({study_section(task, summary)}));
+  }
   if (journal) journal->remove();
   if (options.json != "-" && options.csv != "-") print_study(Terminal(stdout), task, summary);
   return summary.above_bound > 0 ? exit_code::refuted : exit_code::success;
@@ -153,6 +159,7 @@ std::function<int()> define_study(CLI::App& app) {
   app.add_option("--csv", options->csv, "write a row for each route, arithmetic and case; - is standard output")
       ->type_name("FILE");
   app.add_option("--svg", options->svg, "draw the errors over what the design varies")->type_name("FILE");
+  add_html_option(app, options->html);
   app.add_option("--effort", options->effort, "quick, standard or deep: how often each case is repeated")
       ->capture_default_str();
   app.add_option("--seed", options->seed, "the seed of all inputs, instead of the design's");

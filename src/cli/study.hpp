@@ -1,11 +1,12 @@
 // torse study: what its results are written as.
 //   study_lines, study_csv       the results for programs
 //   Spread, StudySummary         medians and maxima by route, scalar and level
-//   summary_of, print_study, study_svg
+//   summary_of, print_study, study_svg, study_section
 //   print_autopsy                torse study autopsy FILE
 #pragma once
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -65,6 +66,9 @@ void print_study(const Terminal& terminal, const studies::Task& task, const Stud
 
 /// Medians of `units` in double over each factor that varies, a line for each route.
 std::string study_svg(const studies::Task& task, const StudySummary& summary);
+
+/// The section of a page, docs/report.md: a plot for each factor that varies, and a table.
+nlohmann::ordered_json study_section(const studies::Task& task, const StudySummary& summary);
 
 /// Prints where the digits of a construction, or of a surface's determinant, are lost; `json` may name a file. Returns
 /// the exit code. Throws FileError.

@@ -35,9 +35,32 @@ export function thinned<T>(list: T[], most: number): T[] {
 
 const colours = ["var(--series-1)", "var(--series-2)", "var(--series-3)", "var(--series-4)", "var(--series-5)", "var(--series-6)"];
 
+/** Lines through so few points show them. */
+const fewPoints = 30;
+
+/** Lines of one colour differ in their dashes. */
+const dashes = ["none", "7 4", "2 3"];
+
+interface Look {
+  colour: string;
+  dash: string;
+}
+
+export function lookOf(index: number): Look {
+  return { colour: colours[index % colours.length] as string, dash: dashes[Math.floor(index / colours.length) % dashes.length] as string };
+}
+
 function drawing(data: PlotData): SVGElement | HTMLElement {
   const series = shown(data);
-  const rows = series.flatMap(({ name, points, dots }) => points.map(([x, y]) => ({ x, y, name, dots: dots === true })));
+  const marks = series.flatMap(({ name, points, dots }, i) => {
+    const { colour, dash } = lookOf(i);
+    const rows = points.map(([x, y]) => ({ x, y, name }));
+    const dot = Plot.dot(rows, { x: "x", y: "y", stroke: colour, r: 2.5 });
+    if (dots === true) return [dot];
+    const line = Plot.line(rows, { x: "x", y: "y", stroke: colour, strokeDasharray: dash, strokeWidth: 1.8 });
+    return points.length <= fewPoints ? [line, dot] : [line];
+  });
+  const all = series.flatMap(({ name, points }) => points.map(([x, y]) => ({ x, y, name })));
   const axis = (log: boolean | undefined) => (log === true ? ({ type: "log", tickFormat: "~g", ticks: 5 } as const) : ({ type: "linear", ticks: 6 } as const));
   const picture = Plot.plot({
     width: 520,
@@ -48,11 +71,10 @@ function drawing(data: PlotData): SVGElement | HTMLElement {
     style: { fontSize: "12px", overflow: "visible" },
     x: { label: data.x.label, ...axis(data.x.log) },
     y: { label: data.y.label, ...axis(data.y.log) },
-    color: { domain: series.map(({ name }) => name), range: colours },
     marks: [
       Plot.frame({ stroke: "var(--line)" }),
-      Plot.line(rows.filter((row) => !row.dots), { x: "x", y: "y", stroke: "name", strokeWidth: 1.8 }),
-      Plot.dot(rows.filter((row) => row.dots), { x: "x", y: "y", stroke: "name", r: 2.5 }),
+      ...marks,
+      Plot.tip(all, Plot.pointer({ x: "x", y: "y", title: (row: (typeof all)[number]) => `${row.name}\n${number(row.x)}: ${number(row.y)}`, fill: "var(--card)", stroke: "var(--soft)" })),
     ],
   });
   // The picture is one image to a screen reader; labels within it have no role that may have one.
@@ -62,10 +84,14 @@ function drawing(data: PlotData): SVGElement | HTMLElement {
   return picture;
 }
 
-/** Colours are told apart by the order of the names too. */
+/** The names in the order of the lines. */
 function key(data: PlotData): HTMLElement | null {
   if (data.series.length < 2) return null;
-  const items = data.series.map(({ name }, i) => h("li", {}, h("span", { class: "swatch", style: `background: ${colours[i % colours.length]}` }), name));
+  const items = data.series.map(({ name }, i) => {
+    const { colour, dash } = lookOf(i);
+    const style = dash === "none" ? "solid" : dash.startsWith("7") ? "dashed" : "dotted";
+    return h("li", {}, h("span", { class: "swatch", style: `border-top: 3px ${style} ${colour}` }), name);
+  });
   return h("ul", { class: "key" }, ...items);
 }
 

@@ -178,6 +178,21 @@ test("fit: a plot has its numbers as a table", async () => {
   await page.context().close();
 });
 
+test("study: a plot for each factor, and the table of the terminal", async () => {
+  const text = torse(["study", "growth", "--html", place("study.html")]);
+  const { page, complaints } = await openPage(browser, place("study.html"));
+  const titles = await page.$$eval(".plot figcaption", (list) => list.map((element) => element.textContent));
+  assert.deepEqual(titles, ["Median error in u by pieces", "Median error in u by before"]);
+  const rows = await page.$$eval("table tbody tr", (list) => list.map((row) => [...row.children].map((cell) => cell.textContent ?? "")));
+  const first = text.split("\n").find((line) => line.startsWith("FJ07.13 "))?.split(/\s+/) ?? [];
+  const row = rows.find(([route]) => route === "FJ07.13") ?? [];
+  assert.deepEqual(row.slice(0, 2), first.slice(0, 2));
+  row.slice(2, 10).forEach((value, i) => assert.equal(Number(Number(value).toPrecision(3)), Number(first[i + 2])));
+  assert.deepEqual(complaints, []);
+  assert.deepEqual(await audit(page), []);
+  await page.context().close();
+});
+
 test("a name is a name, whatever is in it", async () => {
   const name = place("a<img src=x onerror=alert(1)>&amp;<!--<script>.json");
   copyFileSync(join(root, "tests/golden/samples/check-04-cone-n2-N1-clamped.json"), name);
