@@ -147,7 +147,9 @@ Outcome outcome_of(const Reader& reader, const Result& result) {
   const Operation& x = reader.at(result.number);
   const double error = reader.error(result.number);
   return {result.name, x.value, x.exact.to_double(),
-          error == 0 ? all_digits : std::clamp(-std::log10(error), 0.0, all_digits)};
+          error == 0   ? all_digits
+          : error >= 1 ? 0
+                       : std::min(-std::log10(error), all_digits)};
 }
 
 /// d(result)/d(operation i) for all i, to first order in doubles.

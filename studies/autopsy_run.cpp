@@ -1,4 +1,7 @@
 // The constructions and determinants that an autopsy can look into, in the library's own code.
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -13,10 +16,46 @@ namespace {
 using Q = Rational;
 using P = Vec<Shadow, 3>;
 
-constexpr std::size_t most_points = 2000;
+/// Of (points)^2 (bits)^1.5: numbers grow with every vertex, and so does the time that each operation takes.
+constexpr double most_effort = 0x1p26;
 const char* const axes = "xyz";
 
 std::string entry(const std::string& row, std::size_t i) { return row + "[" + std::to_string(i) + "]"; }
+
+/// Throws InvalidInput naming "c.points" for so many points with such numbers that exact values would take minutes.
+void require_effort(std::size_t count, const std::vector<Q>& numbers) {
+  std::size_t bits = 0;
+  for (const Q& x : numbers) bits = std::max(bits, x.numerator_bits() + x.denominator_bits());
+  const double points = static_cast<double>(count);
+  const double effort = points * points * std::pow(static_cast<double>(bits), 1.5);
+  if (effort <= most_effort) return;
+  throw InvalidInput("c.points", "expected a row of effort 2^26 at most for an autopsy, found 2^" +
+                                     std::to_string(static_cast<int>(std::ceil(std::log2(effort)))) + ": " +
+                                     std::to_string(count) + " points with numbers of " + std::to_string(bits) +
+                                     " bits");
+}
+
+void add_numbers(std::vector<Q>& numbers, const WeightedPoints<Q, 3>& row) {
+  for (const Vec<Q, 3>& x : row.points) numbers.insert(numbers.end(), x.begin(), x.end());
+  numbers.insert(numbers.end(), row.weights.begin(), row.weights.end());
+}
+
+void require_effort(const ConstructFile<Q>& input) {
+  std::vector<Q> numbers = input.knots.list();
+  add_numbers(numbers, input.c);
+  for (const std::optional<Q>& x : {input.lambda, input.m, input.sigma, input.omega0}) {
+    if (x) numbers.push_back(*x);
+  }
+  if (input.d0) numbers.insert(numbers.end(), input.d0->begin(), input.d0->end());
+  require_effort(input.c.points.size(), numbers);
+}
+
+void require_effort(const RuledFile<Q>& surface) {
+  std::vector<Q> numbers = surface.knots.list();
+  add_numbers(numbers, surface.c);
+  add_numbers(numbers, surface.d);
+  require_effort(surface.c.points.size(), numbers);
+}
 
 Shadow number(const std::string& name, const Q& x) { return Shadow::input(name, x); }
 
@@ -135,11 +174,11 @@ Autopsy autopsy_of(const Document& document, const std::string& route) {
   try {
     if (file_type(document) == "ruled") {
       const RuledFile<Q> surface = read_ruled<Q>(document);
-      if (surface.c.points.size() > most_points) throw InvalidInput("c.points", "expected 2000 points at most");
+      require_effort(surface);
       return examine(record, determinants(surface));
     }
     const ConstructFile<Q> input = read_construct<Q>(document);
-    if (input.c.points.size() > most_points) throw InvalidInput("c.points", "expected 2000 points at most");
+    require_effort(input);
     return examine(record, construction(input, route));
   } catch (const InvalidInput& invalid) {
     throw document.error(invalid);

@@ -1,6 +1,7 @@
 // torse study autopsy: the operations of an input that lose digits, by the formulas they belong to.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "torse/cli/command.hpp"
@@ -71,8 +72,11 @@ int print_autopsy(const std::string& file, const std::string& route, const std::
   const Terminal terminal(stdout);
   const auto& worst = autopsy.worst;
   terminal.print(fmt::format("{}: {} operations in double\n", file, autopsy.operations));
-  terminal.print(fmt::format("the worst result is {} = {:.17g}, exactly {:.17g}: {:.1f} of 16.0 digits are right\n",
-                             worst.name, worst.value, worst.exact, worst.digits));
+  terminal.print(
+      std::isfinite(worst.value)
+          ? fmt::format("the worst result is {} = {:.17g}, exactly {:.17g}: {:.1f} of 16.0 digits are right\n",
+                        worst.name, worst.value, worst.exact, worst.digits)
+          : fmt::format("{} leaves the range of double\n", worst.name));
   if (autopsy.lost.empty()) terminal.print("no operation loses a digit\n");
   if (!autopsy.lost.empty()) {
     terminal.print(terminal.painted(Paint::dim, fmt::format("\n{:>11} {:>9}  {:<16} {:<10} operation that loses them\n",

@@ -104,6 +104,30 @@ TEST(Autopsy, ASurfaceIsJudgedByItsDeterminants) {
   EXPECT_EQ(autopsy.worst.exact, 0);
 }
 
+TEST(Autopsy, WhatLeavesTheRangeOfDoubleIsNoNumber) {
+  const Document document("huge.json", R"({"torse":1,"type":"construct","method":"bezier","degree":2,"c":{"points":
+    [[0,0,0],["1e400",1,0],[1,1,2]]},"Lambda":3,"M":2,"d0":["1/3",4,4]})");
+  const Autopsy autopsy = autopsy_of(document, "FJ07.13.rulings");
+  EXPECT_TRUE(std::isinf(autopsy.worst.value));
+  EXPECT_EQ(autopsy.worst.digits, 0);
+  EXPECT_TRUE(autopsy.made.empty());
+}
+
+/// Exact values of a long row of long numbers would take minutes.
+TEST(Autopsy, RefusesWhatTakesTooLong) {
+  std::string points = "[0,0,0]";
+  for (int i = 1; i <= 40; ++i) points += ",[" + std::to_string(i) + ",\"1/" + std::string(1000, '7') + "\",0]";
+  const Document document("long.json",
+                          R"({"torse":1,"type":"construct","method":"bezier","degree":40,"c":{"points":[)" + points +
+                              R"(]},"Lambda":3,"M":2,"d0":[1,1,1]})");
+  try {
+    autopsy_of(document, "FJ07.13.rulings");
+    FAIL() << "expected a refusal";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.place(), "c.points");
+  }
+}
+
 TEST(Autopsy, SaysWhatItCannotLookInto) {
   const Document document("x.json", R"({"torse":1,"type":"construct","method":"directrix","degree":1,"c":{"points":
     [[0,0,0],[1,0,0]]},"a":[1],"b":[0]})");
