@@ -1,0 +1,93 @@
+// The summary, the CSV rows and the page's section of a study, from records written by hand.
+#include "torse/cli/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace torse::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+studies::Task task() {
+  studies::Task task;
+  task.design = studies::read_design("d.json", R"({"torse": 1, "type": "study", "name": "d", "title": "by hand, twice",
+    "kind": "routes", "routes": ["FJ07.13.rulings"], "scalars": ["float", "double"], "factors": {"pieces": [1, 4]},
+    "repetitions": {"quick": 1, "standard": 1, "deep": 1}, "seed": 1})");
+  return task;
+}
+
+Json result(const char* scalar, double units, double bound) {
+  return {
+      {"route", "FJ07.13.rulings"}, {"scalar", scalar}, {"finite", true},      {"ulps", 2 * units}, {"units", units},
+      {"conditioned", 0.5},         {"condition", 3},   {"backward", nullptr}, {"warp_deg", 1e-9},  {"bound", bound}};
+}
+
+std::string record(int number, int pieces, const std::vector<Json>& results) {
+  Json factors = Json::object();
+  const studies::Levels levels;
+  for (std::size_t i = 0; i < studies::factor_names.size(); ++i) {
+    factors[std::string(studies::factor_names[i])] = levels[static_cast<studies::Factor>(i)];
+  }
+  factors["pieces"] = pieces;
+  return Json{{"torse", 1},
+              {"study", "d"},
+              {"case", number},
+              {"repetition", 0},
+              {"factors", factors},
+              {"input", {{"a", "b,\"c\""}}},
+              {"more", Json::object()},
+              {"results", results}}
+      .dump();
+}
+
+std::vector<std::string> records() {
+  const Json failed{{"route", "FJ07.13.rulings"}, {"scalar", "float"}, {"finite", false}};
+  return {record(0, 1, {result("float", 3, 0.5), result("double", 1, 0.25)}),
+          record(1, 4, {result("float", 5, 1.5), result("double", 7, 0.75)}), record(2, 4, {failed})};
+}
+
+TEST(StudyReport, SummaryByHand) {
+  const StudySummary summary = summary_of(task(), records());
+  const RouteSummary& low = summary.routes.at({"FJ07.13.rulings", "float"});
+  EXPECT_EQ(low.units.median(), 3);
+  EXPECT_EQ(low.units.most(), 5);
+  EXPECT_EQ(low.ulps.most(), 10);
+  EXPECT_EQ(low.failed, 1U);
+  EXPECT_TRUE(low.backward.values.empty());
+  EXPECT_EQ(summary.above_bound, 1U);
+  const auto& level = summary.levels.at({"FJ07.13.rulings", "double", studies::Factor::pieces, 4.0});
+  EXPECT_EQ(level.median(), 7);
+}
+
+TEST(StudyReport, RowsQuoteWhatNeedsIt) {
+  studies::Task part = task();
+  const std::string rows = study_csv(part, records());
+  EXPECT_EQ(std::ranges::count(rows, '\n'), 6);
+  EXPECT_TRUE(rows.starts_with("study,case,repetition,degree,pieces,"));
+  EXPECT_NE(rows.find(R"("{""a"":""b,\""c\""""}")"), std::string::npos) << rows;
+  part.shard = 1;
+  part.shards = 2;
+  EXPECT_EQ(std::ranges::count(study_csv(part, records()), '\n'), 5);  // no header
+}
+
+TEST(StudyReport, ThePageHasTheSameNumbers) {
+  const Json section = study_section(task(), summary_of(task(), records()));
+  EXPECT_EQ(section["kind"], "plots");
+  const Json& rows = section["tables"][0]["rows"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0], Json::parse(R"(["FJ07.13.rulings", "float", 6.0, 10.0, 3.0, 5.0, 0.5, 0.5, null, 1e-9, 1.5, 1])"));
+  EXPECT_EQ(rows[0].size(), section["tables"][0]["columns"].size());
+  ASSERT_EQ(section["plots"].size(), 1U);
+  EXPECT_EQ(section["plots"][0]["series"][1]["points"], Json::parse("[[1.0, 1.0], [4.0, 7.0]]"));
+}
+
+TEST(StudyReport, TheDrawingIsXml) {
+  const std::string svg = study_svg(task(), summary_of(task(), records()));
+  EXPECT_TRUE(svg.starts_with("<svg "));
+  EXPECT_NE(svg.find("FJ07.13.rulings, double"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace torse::cli
