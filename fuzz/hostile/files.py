@@ -4,10 +4,13 @@ files(folder, only)   writes those whose names match `only`; yields (name, path,
 words, FILE and OUT standing for names
 """
 
+import itertools
 import json
 import os
 import re
 import sys
+
+import cad_files
 
 sys.set_int_max_str_digits(0)
 
@@ -68,6 +71,7 @@ SURFACE = (["check", "FILE"], ["check", "FILE", "--max-warp", "0.5"], ["recover"
            ["convert", "FILE", "-o", "OUT.json"], ["convert", "FILE", "-o", "OUT.step"], ["convert", "FILE", "-o", "OUT.igs"],
            ["unroll", "FILE", "-o", "OUT.svg"])
 READING = (["check", "FILE"],)
+CAD = (["check", "FILE"], ["convert", "FILE", "-o", "OUT.json"])
 
 
 def texts():
@@ -270,5 +274,7 @@ def catalogue():
         yield name, text, READING
     for name, value in surfaces():
         yield name, lambda: json.dumps(value()), SURFACE
+    for name, text in itertools.chain(cad_files.steps(), cad_files.igs()):
+        yield name, text, CAD
     for method, name, value in constructions():
         yield name, lambda: json.dumps(value()), (["construct", method, "FILE", "-o", "OUT.json"],)

@@ -3,14 +3,33 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <Standard_Version.hxx>
 #include <exception>
+#include <new>
 
 #include "torse/cad/read.hpp"
 #include "torse/cad/write.hpp"
 
 namespace torse::cad {
 namespace {
+
+/// Runs a task and returns what was wrong, an empty text for nothing. `failed` words what OpenCASCADE says.
+template <class Task, class Words>
+std::string guarded(const Task& task, const Words& failed) noexcept {
+  try {
+    task();
+    return {};
+  } catch (const Standard_OutOfMemory&) {
+    return cad_out_of_memory();
+  } catch (const std::bad_alloc&) {
+    return cad_out_of_memory();
+  } catch (const Standard_Failure& failure) {
+    return failed(failure.GetMessageString());
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
 
 class Formats final : public CadFormats {
  public:
@@ -19,27 +38,13 @@ class Formats final : public CadFormats {
   std::string version() const override { return std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE; }
 
   std::string read(CadFormat format, const std::string& path, CadModel& model) noexcept override {
-    try {
-      model = read_model(format, path);
-      return {};
-    } catch (const Standard_Failure& failure) {
-      const std::string damage = complaint(format, path);
-      return (damage.empty() ? "" : damage + ": ") + "OpenCASCADE cannot read it: " + failure.GetMessageString();
-    } catch (const std::exception& error) {
-      return error.what();
-    }
+    return guarded([&] { model = read_model(format, path); },
+                   [&](const char* text) { return unreadable(format, path, text); });
   }
 
   std::string read_curves(CadFormat format, const std::string& path, CadCurves& curves) noexcept override {
-    try {
-      curves = format == CadFormat::step ? read_step_curves(path) : read_iges_curves(path);
-      return {};
-    } catch (const Standard_Failure& failure) {
-      const std::string damage = complaint(format, path);
-      return (damage.empty() ? "" : damage + ": ") + "OpenCASCADE cannot read it: " + failure.GetMessageString();
-    } catch (const std::exception& error) {
-      return error.what();
-    }
+    return guarded([&] { curves = format == CadFormat::step ? read_step_curves(path) : read_iges_curves(path); },
+                   [&](const char* text) { return unreadable(format, path, text); });
   }
 
   std::string complaint(CadFormat format, const std::string& path) noexcept override {
@@ -53,14 +58,14 @@ class Formats final : public CadFormats {
   }
 
   std::string write(CadFormat format, const CadSheets& sheets, std::string& bytes) noexcept override {
-    try {
-      bytes = format == CadFormat::step ? write_step(sheets) : write_iges(sheets);
-      return {};
-    } catch (const Standard_Failure& failure) {
-      return std::string("cannot be written by OpenCASCADE: ") + failure.GetMessageString();
-    } catch (const std::exception& error) {
-      return error.what();
-    }
+    return guarded([&] { bytes = format == CadFormat::step ? write_step(sheets) : write_iges(sheets); },
+                   [](const char* text) { return std::string("cannot be written by OpenCASCADE: ") + text; });
+  }
+
+ private:
+  std::string unreadable(CadFormat format, const std::string& path, const char* text) {
+    const std::string damage = complaint(format, path);
+    return (damage.empty() ? "" : damage + ": ") + "OpenCASCADE cannot read it: " + text;
   }
 };
 

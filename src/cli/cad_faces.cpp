@@ -62,6 +62,15 @@ void set_surface(const CadFace& face, const CadStrip& strip, Face& result) {
   }
 }
 
+void require_few(const std::string& file, const CadModel& model) {
+  constexpr std::size_t most_surfaces = 100'000;
+  std::size_t count = 0;
+  for (const CadFace& face : model.faces) count += std::max<std::size_t>(face.strips.size(), 1);
+  if (count > most_surfaces) {
+    throw FileError(file, fmt::format("expected at most {} surfaces, found {}", most_surfaces, count));
+  }
+}
+
 void append(const std::string& file, const CadModel& model, const CadFace& face, std::vector<Face>& faces) {
   if (face.strips.empty()) {
     faces.push_back(face_of(file, model, face));
@@ -102,6 +111,7 @@ std::optional<CadFormat> cad_format(const std::string& file, std::string_view by
 
 std::vector<Face> cad_faces(const std::string& file, CadFormat format, const std::string& bytes) {
   const CadModel model = read_cad(file, format, bytes);
+  require_few(file, model);
   std::vector<Face> faces;
   for (const CadFace& face : model.faces) append(file, model, face, faces);
   return faces;

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <new>
 #include <optional>
 
 #include "torse/cli/plugin.hpp"
@@ -40,10 +41,6 @@ constexpr bool sanitized = false;
 constexpr char answer = '+';
 constexpr char refusal = '-';
 
-unsigned seconds_for(std::size_t size) {
-  return limits::cad_seconds + static_cast<unsigned>(size >> 20) * limits::cad_seconds_per_mebibyte;
-}
-
 void set_limit(__rlimit_resource resource, rlim_t most) {
   const rlimit limit{most, most};
   setrlimit(resource, &limit);
@@ -65,12 +62,14 @@ void send(int pipe, const std::string& text) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   set_limit(RLIMIT_CORE, 0);
   set_limit(RLIMIT_CPU, seconds);
-  if (!sanitized) set_limit(RLIMIT_AS, limits::cad_memory);
+  if (!sanitized) set_limit(RLIMIT_DATA, limits::cad_memory);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
   std::string text;
   try {
     text = answer + task(load(plugin));
+  } catch (const std::bad_alloc&) {
+    text = refusal + cad_out_of_memory();
   } catch (const std::exception& error) {
     text = refusal + std::string(error.what());
   }
@@ -94,12 +93,32 @@ std::optional<std::string> receive(int pipe, Clock::time_point deadline) {
   }
 }
 
-std::string failure_of(int status, bool in_time, unsigned seconds) {
-  const bool stopped =
-      !in_time || (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL));
-  if (stopped) return "OpenCASCADE fails on it: it did not end in " + std::to_string(seconds) + " seconds";
-  return "OpenCASCADE fails on it: it crashed" +
-         (WIFSIGNALED(status) ? " (" + std::string(strsignal(WTERMSIG(status))) + ")" : std::string());
+/// The end of a child, from its status and its times.
+struct End {
+  int status = 0;
+  unsigned seconds = 0;
+  long mebibytes = 0;
+};
+
+End wait_for(pid_t child) {
+  End end;
+  rusage usage{};
+  while (wait4(child, &end.status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  end.seconds = static_cast<unsigned>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1;
+  end.mebibytes = usage.ru_maxrss >> 10;
+  return end;
+}
+
+/// A child without an answer.
+CadCrash failure_of(const std::string& file, const End& end, bool in_time, unsigned seconds) {
+  const std::string fails = "OpenCASCADE fails on it: ";
+  const int signal = WIFSIGNALED(end.status) ? WTERMSIG(end.status) : 0;
+  if (!in_time || signal == SIGXCPU || signal == SIGKILL) {
+    return {file, fails + "it did not end in " + std::to_string(seconds) + " seconds", 0};
+  }
+  const std::string how = (signal == 0 ? "" : std::string(strsignal(signal)) + ", ") + std::to_string(end.mebibytes);
+  return {file, fails + "it crashed (" + how + " MiB in use)", end.seconds < seconds ? seconds - end.seconds : 0};
 }
 
 /// The bytes of a file once more as a file, since OpenCASCADE opens files by name and these may be those of a pipe.
@@ -128,7 +147,7 @@ using ReadMember = std::string (CadFormats::*)(CadFormat, const std::string&, T&
 
 template <class T>
 std::string run_reader(const std::string& file, CadFormat format, const std::string& bytes, ReadMember<T> member) {
-  return run_cad(file, bytes.size(), [&](CadFormats& formats) {
+  return run_cad(file, [&](CadFormats& formats) {
     T read;
     const MemoryFile copy(bytes);
     const std::string reason = (formats.*member)(format, copy.path(), read);
@@ -137,11 +156,12 @@ std::string run_reader(const std::string& file, CadFormat format, const std::str
   });
 }
 
-/// What may explain a crash.
-std::string complaint_about(const std::string& file, CadFormat format, const std::string& bytes) {
+/// What may explain a crash, found in the time that is left.
+std::string complaint_about(const std::string& file, CadFormat format, const std::string& bytes, unsigned seconds) {
+  if (seconds == 0) return "";
+  const auto task = [&](CadFormats& formats) { return formats.complaint(format, MemoryFile(bytes).path()); };
   try {
-    return run_cad(file, bytes.size(),
-                   [&](CadFormats& formats) { return formats.complaint(format, MemoryFile(bytes).path()); });
+    return run_cad(file, task, seconds);
   } catch (const FileError&) {
     return "";
   }
@@ -153,21 +173,20 @@ std::string read_bytes(const std::string& file, CadFormat format, const std::str
   try {
     return run_reader(file, format, bytes, member);
   } catch (const CadCrash& crash) {
-    const std::string complaint = complaint_about(file, format, bytes);
+    const std::string complaint = complaint_about(file, format, bytes, crash.seconds_left());
     throw FileError(file, complaint.empty() ? crash.reason() : complaint + " (" + crash.reason() + ")");
   }
 }
 
 }  // namespace
 
-std::string run_cad(const std::string& file, std::size_t size, const std::function<std::string(CadFormats&)>& task) {
+std::string run_cad(const std::string& file, const std::function<std::string(CadFormats&)>& task, unsigned seconds) {
   const std::optional<fs::path> plugin = find_plugin("torse_cad.so");
   if (!plugin) {
     throw FileError(file, "STEP and IGES need the optional part of torse that uses OpenCASCADE: ./x cad builds it");
   }
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw FileError(file, std::string("cannot be read: ") + std::strerror(errno));
-  const unsigned seconds = seconds_for(size);
   const pid_t child = fork();
   if (child == 0) serve(ends[1], *plugin, seconds, task);
   close(ends[1]);
@@ -177,10 +196,8 @@ std::string run_cad(const std::string& file, std::size_t size, const std::functi
   close(ends[0]);
   if (child < 0) throw FileError(file, std::string("cannot be read: ") + std::strerror(errno));
   if (!text) kill(child, SIGKILL);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!text || status != 0 || text->empty()) throw CadCrash(file, failure_of(status, text.has_value(), seconds));
+  const End end = wait_for(child);
+  if (!text || end.status != 0 || text->empty()) throw failure_of(file, end, text.has_value(), seconds);
   if (text->front() != answer) throw FileError(file, text->substr(1));
   return text->substr(1);
 }

@@ -16,13 +16,21 @@ namespace torse::cli {
 /// The plugin crashed or ran out of time or memory.
 class CadCrash : public FileError {
  public:
-  using FileError::FileError;
+  CadCrash(const std::string& file, const std::string& reason, unsigned seconds_left)
+      : FileError(file, reason), seconds_left_(seconds_left) {}
+
+  /// What the child left of its time; 0 for one that reached a limit.
+  unsigned seconds_left() const { return seconds_left_; }
+
+ private:
+  unsigned seconds_left_;
 };
 
-/// Gives the plugin to `task` in a child process and returns the task's bytes. `file` is the name for errors, `size`
-/// its bytes, which extend the time. Throws FileError where there is no plugin, for an exception of the task (its text
-/// is the reason), and CadCrash for a child that crashes or exceeds limits.hpp.
-std::string run_cad(const std::string& file, std::size_t size, const std::function<std::string(CadFormats&)>& task);
+/// Gives the plugin to `task` in a child process and returns the task's bytes. `file` is the name for errors, `seconds`
+/// the child's processor time. Throws FileError where there is no plugin, for an exception of the task (its text is the
+/// reason), and CadCrash for a child that crashes or exceeds its time or limits::cad_memory.
+std::string run_cad(const std::string& file, const std::function<std::string(CadFormats&)>& task,
+                    unsigned seconds = limits::cad_seconds);
 
 /// Reads the bytes of a file. Throws FileError.
 CadModel read_cad(const std::string& file, CadFormat format, const std::string& bytes);

@@ -1,6 +1,7 @@
 // Rails over Q from what the plugin sends.
 #include "torse/cli/cad_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "torse/algebra/determinant.hpp"
@@ -41,7 +42,37 @@ Curve curve_of(const CadRail& rail) {
 /// Two rails over one knot list.
 using Rails = std::pair<Curve, Curve>;
 
-Rails rails_of(const CadRails& rails) { return make_compatible(curve_of(rails.c), curve_of(rails.d)); }
+/// About how many affine combinations it takes to raise curves of these degrees with so many points and pieces to the
+/// degree n, and to insert the knots of both: m^2/2 for a blossom of degree m, and m + 1 blossoms for each point of a
+/// curve that is raised to the degree m.
+double joining_effort(int low, int n, std::size_t points, std::size_t pieces) {
+  double effort = 0;
+  double count = static_cast<double>(points);
+  for (int m = low + 1; m <= n; ++m) {
+    count += static_cast<double>(pieces);
+    effort += count * std::pow(m, 3) / 2;
+  }
+  return effort + count * n * n;
+}
+
+/// Two rails over one knot list, if that does not take long.
+Rails rails_of(const CadRails& rails) {
+  constexpr double most_effort = 0x1p23;
+  const Curve c = curve_of(rails.c);
+  const Curve d = curve_of(rails.d);
+  const int low = std::min(c.knots.degree(), d.knots.degree());
+  const int high = std::max(c.knots.degree(), d.knots.degree());
+  const double effort = joining_effort(low, high, c.control.size() + d.control.size(),
+                                       c.knots.proper_pieces().size() + d.knots.proper_pieces().size());
+  if (effort > most_effort) {
+    throw InvalidInput("degree",
+                       "expected rails that come to one degree and one knot list with 2^23 steps at most, "
+                       "found some of degrees " +
+                           std::to_string(low) + " and " + std::to_string(high) + " with " +
+                           std::to_string(c.control.size() + d.control.size()) + " control points");
+  }
+  return make_compatible(c, d);
+}
 
 Point begin_of(const Curve& curve) {
   const Row p =

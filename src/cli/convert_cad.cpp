@@ -64,11 +64,8 @@ Json json_of(const WrittenFace& written, const CadWishes& wishes) {
 }
 
 std::string cad_file(const CadWishes& wishes, const CadSheets& sheets) {
-  constexpr std::size_t bytes_of_number = 32;
-  std::size_t size = 0;
-  for (const CadSheet& sheet : sheets.sheets) size += 8 * sheet.c.points.size() * bytes_of_number;
   const CadFormat format = wishes.format == OutputFormat::step ? CadFormat::step : CadFormat::iges;
-  return run_cad(wishes.file, size, [&](CadFormats& formats) {
+  return run_cad(wishes.file, [&](CadFormats& formats) {
     std::string bytes;
     const std::string reason = formats.write(format, sheets, bytes);
     if (!reason.empty()) throw Error(reason);

@@ -7,6 +7,7 @@
 //   CadFace, CadModel         the faces of a file
 //   CadCurve, CadCurves       the curves of a file that bound no face
 //   CadSheet, CadSheets       the ruled surfaces for a file
+//   cad_out_of_memory         a reason
 //   CadFormats                the plugin                     cad_entry      the name of the function that makes it
 #pragma once
 
@@ -15,6 +16,8 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "torse/io/limits.hpp"
 
 namespace torse {
 
@@ -155,6 +158,11 @@ struct CadSheets {
   double tolerance = 0;
   std::vector<CadSheet> sheets{};
 };
+
+/// The reason where the memory of limits.hpp does not suffice.
+inline std::string cad_out_of_memory() {
+  return "OpenCASCADE needs more than " + std::to_string(limits::cad_memory >> 20) + " MiB for it";
+}
 
 /// The formats of the plugin.
 enum class CadFormat { step, iges };

@@ -26,10 +26,8 @@ inline constexpr int degree = 100;
 /// Control points of a curve.
 inline constexpr int points = 100'000;
 
-/// Processor time and memory of the process that reads a STEP or IGES file: seconds at first and for each further MiB
-/// of the file, bytes of address space.
-inline constexpr unsigned cad_seconds = 10;
-inline constexpr unsigned cad_seconds_per_mebibyte = 4;
-inline constexpr std::size_t cad_memory = std::size_t{8} << 30;
+/// Processor time in seconds and memory in bytes of the process that reads or writes a STEP or IGES file.
+inline constexpr unsigned cad_seconds = 7;
+inline constexpr std::size_t cad_memory = std::size_t{768} << 20;
 
 }  // namespace torse::limits

@@ -2,10 +2,12 @@
 //   restrict_spline      the part of a curve on [a, b], clamped
 //   reparametrized       the same curve over another interval
 //   reversed_spline      the same curve from its end to its begin
+//   united_knots         the knots of two curves
 //   make_compatible      two curves over the first one's interval, with one degree and one knot list
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -63,6 +65,15 @@ Spline<S, P> reversed_spline(const Spline<S, P>& curve) {
                       std::vector<P>(curve.control.rbegin(), curve.control.rend()));
 }
 
+/// Every knot as often as in the list, of two of one degree, that has it more often.
+template <OrderedField S>
+KnotList<S> united_knots(const KnotList<S>& u, const KnotList<S>& v) {
+  std::vector<S> knots;
+  std::ranges::set_union(u.list(), v.list(), std::back_inserter(knots),
+                         [](const S& x, const S& y) { return definitely(less(x, y)); });
+  return KnotList<S>(u.degree(), std::move(knots));
+}
+
 /// The same two curves, the second over the domain of the first, clamped, with the higher of their degrees and with the
 /// knots of both. Nothing is done to curves that share their knots already.
 template <OrderedField S, class P>
@@ -76,10 +87,8 @@ std::pair<Spline<S, P>, Spline<S, P>> make_compatible(Spline<S, P> c, Spline<S, 
   d = restrict_spline(d, a, b);
   while (c.knots.degree() < d.knots.degree()) c = elevate(c);
   while (d.knots.degree() < c.knots.degree()) d = elevate(d);
-  const std::vector<S> knots_of_c = c.knots.list();
-  for (const S& t : d.knots.list()) c = with_multiplicity(std::move(c), t, multiplicity(d.knots, t));
-  for (const S& t : knots_of_c) d = with_multiplicity(std::move(d), t, multiplicity(c.knots, t));
-  return {std::move(c), std::move(d)};
+  const KnotList<S> both = united_knots(c.knots, d.knots);
+  return {refined(c, both), refined(d, both)};
 }
 
 }  // namespace torse

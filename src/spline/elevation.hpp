@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "torse/spline/curve.hpp"
+#include "torse/spline/refinement.hpp"
 
 namespace torse {
 
@@ -35,33 +35,16 @@ KnotList<S> elevated_knots(const KnotList<S>& u) {
   return KnotList<S>(n + 1, std::vector<S>(first, last));
 }
 
-/// A proper piece of u whose polynomial determines the vertex of the finer list v that belongs to v_i..v_{i+n}: the
-/// piece of [v_i, v_{i+n}] if that is not a point, else one that touches it.
-template <Field S>
-int piece_under(const KnotList<S>& u, const KnotList<S>& v, int i) {
-  const auto index_of = [&](const S& t) {  // the last piece that starts at t, or the last that ends there
-    int found = 0;
-    for (int k : u.proper_pieces()) {
-      if (definitely(equal(u.piece_begin(k), t))) return k;
-      if (definitely(equal(u.piece_end(k), t))) found = k;
-    }
-    return found;
-  };
-  for (int j = i; j <= i + v.degree() - 1; ++j) {
-    if (const int k = index_of(v[j])) return k;
-  }
-  throw Undecided("degree elevation: no piece found under a vertex");
-}
-
 /// The same curve with degree n + 1: each vertex is the mean of the n + 1 blossoms that leave one knot out.
 template <Field S, class P>
 Spline<S, P> elevate(const Spline<S, P>& curve) {
   const KnotList<S>& u = curve.knots;
   const int n = u.degree();
   KnotList<S> v = elevated_knots(u);
+  const std::vector<int> under = pieces_under(u, v.list());
   std::vector<P> points;
   for (int i = 0; i <= v.last(); ++i) {
-    const int k = piece_under(u, v, i);
+    const int k = piece_of_vertex(under, v, i);
     P mean = PointTraits<P>::zero();
     for (int skip = 0; skip <= n; ++skip) {
       std::vector<Parameter<S>> arguments;

@@ -97,6 +97,19 @@ TEST_F(HostileCad, ReferencesThatLeadNowhereOrInCircles) {
   refused("a.step", replaced(good, "PLANE(''," + frame, "PLANE(''," + plane), "");
 }
 
+/// Elevation and refinement of such rails would take hours.
+TEST_F(HostileCad, RailsThatAreFarApartInDegree) {
+  std::string weights;
+  std::string points;
+  for (int i = 0; i <= 90; ++i) {
+    weights += (i == 0 ? "" : ",") + std::string("1.");
+    points += (i == 0 ? "" : ",") + std::to_string(i) + ".,0.,0.";
+  }
+  IgesText iges;
+  iges.ruled(iges.bezier(90, weights, points), iges.line("0.,1.,0.", "90.,1.,0."), 0, 1, {.form = 1});
+  refused("a.igs", iges.file(), "2^23 steps at most, found some of degrees 1 and 90 with 93 control points");
+}
+
 TEST_F(HostileCad, CutAnywhereItIsReadOrRefused) {
   IgesText iges;
   iges.ruled(iges.line("0.,0.,0.", "1.,0.,0."), iges.line("0.,1.,0.", "1.,1.,0."), 0, 1, {.form = 1});

@@ -14,7 +14,7 @@ using ::testing::StartsWith;
 
 std::string error_of(const std::function<std::string(CadFormats&)>& task) {
   try {
-    run_cad("part.step", 0, task);
+    run_cad("part.step", task);
   } catch (const FileError& error) {
     return error.what();
   }
@@ -22,11 +22,11 @@ std::string error_of(const std::function<std::string(CadFormats&)>& task) {
 }
 
 TEST(CadProcess, AnswersOfAnyLengthComeBack) {
-  EXPECT_THAT(run_cad("part.step", 0, [](CadFormats& formats) { return formats.version(); }),
+  EXPECT_THAT(run_cad("part.step", [](CadFormats& formats) { return formats.version(); }),
               StartsWith("OpenCASCADE 7."));
   const std::string bytes(3'000'000, '\0');
-  EXPECT_EQ(run_cad("part.step", 0, [&](CadFormats&) { return bytes; }), bytes);
-  EXPECT_EQ(run_cad("part.step", 0, [](CadFormats&) { return std::string(); }), "");
+  EXPECT_EQ(run_cad("part.step", [&](CadFormats&) { return bytes; }), bytes);
+  EXPECT_EQ(run_cad("part.step", [](CadFormats&) { return std::string(); }), "");
 }
 
 TEST(CadProcess, FailuresOfTheChildAreErrorsOfTheFile) {
@@ -35,9 +35,46 @@ TEST(CadProcess, FailuresOfTheChildAreErrorsOfTheFile) {
   EXPECT_THAT(error_of([](CadFormats&) -> std::string { std::_Exit(3); }), HasSubstr("it crashed"));
 }
 
+/// Whether this program runs without the limit of memory, as sanitized ones do.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool unlimited = true;
+#elif defined(__has_feature)
+constexpr bool unlimited = __has_feature(address_sanitizer);
+#else
+constexpr bool unlimited = false;
+#endif
+
+TEST(CadProcess, AChildThatNeedsMoreThanItMayIsAnError) {
+  volatile unsigned turns = 0;
+  const auto forever = [&](CadFormats&) -> std::string {
+    while (turns + 1 != 0) turns = turns + 2;
+    return "";
+  };
+  try {
+    run_cad("part.step", forever, 1);
+    ADD_FAILURE() << "it ended";
+  } catch (const CadCrash& crash) {
+    EXPECT_THAT(crash.reason(), HasSubstr("it did not end in 1 seconds"));
+    EXPECT_EQ(crash.seconds_left(), 0U);
+  }
+  if (unlimited) GTEST_SKIP() << "the memory of sanitized programs has no limit";
+  EXPECT_THAT(error_of([](CadFormats&) -> std::string { return std::string(limits::cad_memory, 'x'); }),
+              HasSubstr("needs more than 768 MiB"));
+}
+
+TEST(CadProcess, ACrashLeavesTheRestOfTheTime) {
+  try {
+    run_cad("part.step", [](CadFormats&) -> std::string { std::abort(); });
+    ADD_FAILURE() << "it did not crash";
+  } catch (const CadCrash& crash) {
+    EXPECT_GT(crash.seconds_left(), 0U);
+    EXPECT_LT(crash.seconds_left(), limits::cad_seconds);
+  }
+}
+
 TEST(CadProcess, TheChildWritesNothingOnStandardOutput) {
   ::testing::internal::CaptureStdout();
-  run_cad("part.step", 0, [](CadFormats&) {
+  run_cad("part.step", [](CadFormats&) {
     std::printf("noise");
     std::fflush(stdout);
     return std::string();

@@ -84,5 +84,21 @@ TEST(Compatible, CurvesThatShareTheirKnotsAreLeftAsTheyAre) {
   EXPECT_EQ(d.control.size(), cubic().control.size());
 }
 
+/// Boehm's algorithm makes the same vertices, one knot after the other.
+TEST(Refinement, IsTheInsertionOfEachKnot) {
+  const Curve coarse = restrict_spline(cubic(), q(0), q(3));
+  Curve fine = coarse;
+  for (const Q& t : {q(1, 2), q(1, 2), q(5, 2), q(1), q(2), q(2), q(2), q(17, 10)}) fine = insert_knot(fine, t);
+  const Curve at_once = refined(coarse, fine.knots);
+  ASSERT_EQ(at_once.control.size(), fine.control.size());
+  for (std::size_t i = 0; i < fine.control.size(); ++i) expect_same(at_once.control[i], fine.control[i]);
+}
+
+TEST(Refinement, UnitedKnotsAreThoseOfTheListThatHasThemMoreOften) {
+  const KnotList<Q> u(2, {q(0), q(0), q(1), q(1), q(2), q(4), q(4)});
+  const KnotList<Q> v(2, {q(0), q(0), q(1), q(3), q(3), q(4), q(4)});
+  EXPECT_EQ(united_knots(u, v).list(), (std::vector<Q>{q(0), q(0), q(1), q(1), q(2), q(3), q(3), q(4), q(4)}));
+}
+
 }  // namespace
 }  // namespace torse
