@@ -130,9 +130,7 @@ std::optional<ExactNet<D>> realise_constant_net(const std::vector<Segment>& segm
     for (const Vec<Real, D>& x : edge) r.push_back(rounded_point<D>(x, exponent));
     std::size_t first = 0;
     if (s > 0) {
-      const auto start = edge_from(rows[0].exact, rows[1].exact, result[result.size() - 2], result.back());
-      r[0] = start[0];
-      r[1] = start[1];
+      r[1] = edge_from(rows[0].exact, rows[1].exact, result[result.size() - 2], result.back())[1];
       first = 2;
     }
     for (std::size_t k = first; k < rows.size(); ++k) {

@@ -105,6 +105,21 @@ TEST(PieceEdge, IsThePapersFormula) {
   }
 }
 
+/// Constants with another sigma are not those of a patch with sigma 1: it starts at the parameters before the piece.
+TEST(PieceEdge, AnotherSigmaHasAPatchOfItsOwn) {
+  const Rows p = cubic_row();
+  const Rows d = rational_net<Q, Row>(bezier_knots<Q>(3), p, q(7, 3), q(-5, 2), q(3, 4), row(1, 1, 2, 2));
+  const auto piece = recover_piece<Q>(bezier_knots<Q>(3), p, d, 1);
+  ASSERT_TRUE(piece.constant());
+  const auto edge = edge_of(piece);
+  EXPECT_EQ(edge->degree, 4);
+  const auto patch = constant_patch(piece, *edge);
+  ASSERT_TRUE(patch.has_value());
+  EXPECT_EQ(patch->m, Q(-1));
+  EXPECT_EQ(patch->lambda, Q(-2));
+  expect_patch(piece, *patch);
+}
+
 TEST(PieceEdge, OfAConeIsItsVertex) {
   Rows d = cubic_row();
   int factor = 1;

@@ -45,6 +45,19 @@ TEST(Angle, SquaresOfSinesAreRoundedOutwards) {
   }
 }
 
+/// A warp angle is at most 90 degrees: beyond that the sine gets smaller, the limit does not.
+TEST(Angle, NoneIsMoreThanRight) {
+  for (const Angle& angle :
+       {Angle{Q(90), false}, Angle{Q(100), false}, Angle{Q(180), false}, Angle{Q(2), true}, Angle{Q(4), true}}) {
+    EXPECT_EQ(exact_sine_squared(angle), Q(1));
+    const Interval found = sine_squared_at_most_90(angle, 0);
+    EXPECT_EQ(found.lower(), 1);
+    EXPECT_EQ(found.upper(), 1);
+  }
+  EXPECT_NE(exact_sine_squared(Angle{Q(3) / Q(2), true}), Q(1));
+  EXPECT_NE(exact_sine_squared(Angle{Q(89), false}), Q(1));
+}
+
 /// (s^2 t, s t^2, s t (s + t)): divided by s t it vanishes nowhere.
 TEST(CommonZeros, AreFoundAtBothEnds) {
   const auto form = [](int a, int b, int c, int d) { return BinaryForm<Q>(std::vector<Q>{Q(a), Q(b), Q(c), Q(d)}); };

@@ -1,0 +1,168 @@
+// Exact members of a family: as near as the accuracy promises, with numbers no longer than that asks for; and frames.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "torse/developable/linear_net.hpp"
+#include "torse/developable/special.hpp"
+#include "torse/exact/repair/families.hpp"
+#include "torse/exact/repair/frame.hpp"
+#include "torse/spline/elevation.hpp"
+
+namespace torse::repair {
+namespace {
+
+using Q = Rational;
+using Row4 = Vec<Q, 4>;
+
+Q q(int num, int den = 1) { return ratio<Q>(num, den); }
+
+KnotList<Q> knots(int degree, const std::vector<int>& list) {
+  std::vector<Q> u;
+  for (int knot : list) u.push_back(Q(knot));
+  return KnotList<Q>(degree, std::move(u));
+}
+
+/// A winding row of homogeneous points, with weights from 6/8 to 10/8.
+std::vector<Row4> winding(int count, bool weighted, std::mt19937_64& rng) {
+  const auto draw = [&] { return q(static_cast<int>(rng() % 401) - 200, 64); };
+  std::vector<Row4> points;
+  for (int i = 0; i < count; ++i) {
+    const Q w = weighted ? q(static_cast<int>(rng() % 5) + 6, 8) : Q(1);
+    points.push_back(Row4(w, w * (Q(2 * i) + draw() / Q(4)), w * draw(), w * draw()));
+  }
+  return points;
+}
+
+/// The points of both rows in turns, each coordinate moved by up to a 64th.
+template <int D>
+RealNet<D> noisy_net(const std::vector<Row4>& p, const std::vector<Row4>& r, std::mt19937_64& rng) {
+  RealNet<D> net;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (const Row4& x : {p[i], r[i]}) {
+      Vec<Real, D> y;
+      for (int j = 0; j < D; ++j) {
+        const int of_row = j + 4 - D;
+        const Q noise = of_row == 0 ? Q(0) : x[0] * q(static_cast<int>(rng() % 2049) - 1024, 1 << 16);
+        y[j] = Real::from_rational(x[of_row] + noise);
+      }
+      net.points.push_back(y);
+      net.scale.push_back(Real::from_rational(x[0] * x[0]));
+    }
+  }
+  return net;
+}
+
+template <int D>
+Real squared_distance(const RealNet<D>& net, const ExactNet<D>& exact) {
+  Real sum;
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    for (int j = 0; j < D; ++j) {
+      const Real e = net.points[i][j] - Real::from_rational(exact[i][j]);
+      sum += e * e / net.scale[i];
+    }
+  }
+  return sum;
+}
+
+std::size_t bits_of(const Q& x) { return x.numerator_bits() + x.denominator_bits(); }
+
+/// Within the shares of Accuracy: 2^-8 for the constants and 2^-10 for the points, a little more as the curvature is
+/// approximate.
+template <int D>
+void expect_near(const RealNet<D>& net, const Candidate<D>& candidate, const char* what) {
+  const auto exact = candidate.realise();
+  ASSERT_TRUE(exact) << what;
+  const double share = (squared_distance<D>(net, *exact) / candidate.squared).to_double();
+  EXPECT_LT(share, 1 + 1.0 / 128) << what;
+  EXPECT_GT(share, 1 - 1e-9) << what;
+}
+
+TEST(RepairCandidates, EdgesAreAsNearAsTheirAccuracy) {
+  std::mt19937_64 rng(1);
+  for (int trial = 0; trial < 8; ++trial) {
+    const KnotList<Q> u = knots(2, {0, 1, 2, 4, 5});
+    std::vector<Row4> p = winding(u.last() + 1, trial % 2 == 1, rng);
+    for (Row4& x : p) divide(x, Q(trial < 4 ? 1 : 1024));  // small weights, so that roundings of the edge grow
+    const auto r = linear_net<Q, Row4>(u, p, q(-7, 2), q(-9, 4), scaled(p[0][0], Row4(Q(1), Q(1), Q(-3), Q(7))));
+    const auto c = elevate(Spline<Q, Row4>(u, p));
+    const auto d = elevate(Spline<Q, Row4>(u, r));
+    const RealNet<4> net = noisy_net<4>(c.control, d.control, rng);
+    const auto candidate = edge_candidate<4>(c.knots, net, 1, Real(1000));
+    ASSERT_TRUE(candidate);
+    expect_near(net, *candidate, "edge");
+  }
+}
+
+/// Over a short and a long domain and for large and small sigma. The constants take no more digits than that needs.
+TEST(RepairCandidates, ConstantsAreNearAndSimple) {
+  std::mt19937_64 rng(2);
+  for (const Q& unit : {q(1, 64), q(1), q(64)}) {
+    std::vector<Q> list;
+    for (const int knot : {0, 0, 0, 1, 2, 4, 4, 4}) list.push_back(unit * q(knot));
+    const KnotList<Q> u(3, list);
+    for (const Q& sigma : {q(1), q(16), q(1, 16)}) {
+      const bool weighted = sigma != q(1);
+      const std::vector<Row4> p = winding(u.last() + 1, weighted, rng);
+      const Row4 start = scaled(Q(1) / sigma, Row4(Q(1), Q(1), Q(-3), Q(7)));
+      const auto r = rational_net<Q, Row4>(u, p, q(-7, 2) * unit, q(-9, 4) * unit, sigma, start);
+      const auto expect_good = [&](const auto& net, const auto& candidate) {
+        ASSERT_TRUE(candidate);
+        expect_near(net, *candidate, sigma.text().c_str());
+        const RelationConstants& found = candidate->constants.at(0);
+        for (const Q& x : {found.lambda, found.m, found.sigma}) EXPECT_LE(bits_of(x), 24U) << sigma.text();
+      };
+      if (weighted) {
+        const RealNet<4> net = noisy_net<4>(p, r, rng);
+        expect_good(net, constant_candidate<4>(u, net, Real(1000)));
+      } else {
+        const RealNet<3> net = noisy_net<3>(p, r, rng);
+        expect_good(net, constant_candidate<3>(u, net, Real(1000)));
+      }
+    }
+  }
+}
+
+/// The centre is near the middle of the box and short, however far away that is.
+TEST(RepairFrame, CentreIsInTheMiddle) {
+  std::mt19937_64 rng(3);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Q far = power_of_two(static_cast<long>(rng() % 200) - 100);
+    const Q size = power_of_two(static_cast<long>(rng() % 100) - 50) * q(static_cast<int>(rng() % 1000) + 1000, 1999);
+    RuledRows rows;
+    for (auto* row : {&rows.c, &rows.d}) {
+      for (int i = 0; i < 4; ++i) {
+        Vec<Q, 3> x;
+        for (int j = 0; j < 3; ++j) x[j] = far + size * q(static_cast<int>(rng() % 1001), 1000 * (j + 1));
+        row->points.push_back(x);
+        row->weights.push_back(Q(1));
+      }
+    }
+    const Frame frame = frame_of(rows);
+    Q extent(0);
+    Vec<Q, 3> middle;
+    for (int j = 0; j < 3; ++j) {
+      Q low = rows.c.points[0][j], high = low;
+      for (const auto* row : {&rows.c, &rows.d}) {
+        for (const Vec<Q, 3>& x : row->points) {
+          low = std::min<Q>(low, x[j]);
+          high = std::max<Q>(high, x[j]);
+        }
+      }
+      extent = std::max<Q>(extent, high - low);
+      middle[j] = (low + high) / Q(2);
+    }
+    for (int j = 0; j < 3; ++j) {
+      const Q shift = frame.centre[j] - middle[j];
+      EXPECT_LT(shift * shift, extent * extent / Q(64)) << trial;
+      EXPECT_EQ(rounded(frame.centre[j], frame.exponent - 3), frame.centre[j]) << trial;
+    }
+    EXPECT_LE(power_of_two(frame.exponent - 1), extent);
+    EXPECT_LT(extent, power_of_two(frame.exponent));
+  }
+}
+
+}  // namespace
+}  // namespace torse::repair
