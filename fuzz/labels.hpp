@@ -47,6 +47,15 @@ class Distribution {
     return entry == at->second.end() ? 0 : entry->second;
   }
 
+  /// How many labels with this key there were.
+  std::uint64_t count(const std::string& key) const {
+    const auto at = counts_.find(key);
+    std::uint64_t sum = 0;
+    if (at == counts_.end()) return sum;
+    for (const auto& [value, count] : at->second) sum += count;
+    return sum;
+  }
+
   friend bool operator==(const Distribution&, const Distribution&) = default;
 
  private:

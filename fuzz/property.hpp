@@ -33,6 +33,8 @@ struct PropertyInfo {
   int batch = 1;
   /// Labels "key=value" that a run of enough cases has met; one that it has not met makes the run vacuous.
   std::vector<std::string_view> must_meet = {};
+  /// Labels "key=value" that at least half of all labels with this key are, in such a run.
+  std::vector<std::string_view> mostly = {};
 };
 
 /// A property does not hold.

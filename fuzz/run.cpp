@@ -78,19 +78,40 @@ Record shrink(const Property& property, const Scale& scale, Record failing, int 
   return failing;
 }
 
+namespace {
+
+/// A label "key=value".
+std::pair<std::string, std::string> split(std::string_view label) {
+  const std::size_t sign = label.find('=');
+  return {std::string(label.substr(0, sign)), std::string(label.substr(sign + 1))};
+}
+
+/// The labels for which `holds` is false, after a heading; empty for none.
+template <class Predicate>
+std::string failing(const std::vector<std::string_view>& labels, const std::string& heading, const Predicate& holds) {
+  std::string list;
+  for (const std::string_view label : labels) {
+    const auto [key, value] = split(label);
+    if (!holds(key, value)) list += (list.empty() ? heading : ", ") + std::string(label);
+  }
+  return list;
+}
+
+}  // namespace
+
 std::string vacuity(const Property& property, const Tally& tally) {
   if (tally.cases < static_cast<std::uint64_t>(property.info().batch) * seeds_to_judge) return {};
   if (tally.discarded * discards_at_most > tally.cases) {
     return std::to_string(tally.discarded) + " of " + std::to_string(tally.cases) + " cases were discarded";
   }
-  std::string missing;
-  for (const std::string_view label : property.info().must_meet) {
-    const std::size_t sign = label.find('=');
-    if (tally.labels.count(std::string(label.substr(0, sign)), std::string(label.substr(sign + 1))) == 0) {
-      missing += (missing.empty() ? "never met: " : ", ") + std::string(label);
-    }
-  }
-  return missing;
+  const PropertyInfo& info = property.info();
+  const std::string missing = failing(info.must_meet, "never met: ", [&](const auto& key, const auto& value) {
+    return tally.labels.count(key, value) > 0;
+  });
+  if (!missing.empty()) return missing;
+  return failing(info.mostly, "in fewer than half of the cases: ", [&](const auto& key, const auto& value) {
+    return tally.labels.count(key, value) * 2 >= tally.labels.count(key);
+  });
 }
 
 std::string case_file(const Property& property, const std::string& input) {

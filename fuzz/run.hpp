@@ -46,7 +46,8 @@ Tally run_seed(const Property& property, proofs::Effort effort, std::uint64_t se
 Record shrink(const Property& property, const Scale& scale, Record failing, int runs = 2000);
 
 /// Why this run proves nothing, in words, or an empty text: too many of the cases were discarded, or labels that the
-/// property must meet were not. Runs of fewer than `property.info().batch` * 20 cases are too short to tell.
+/// property must meet were not, or those that most cases should have had were rare. Runs of fewer than
+/// `property.info().batch` * 20 cases are too short to tell.
 std::string vacuity(const Property& property, const Tally& tally);
 
 /// {"torse": 1, "type": "case", "property": NAME, "input": {...}}.

@@ -28,7 +28,8 @@ const PropertyInfo& Construction::info() {
        "knots=extreme",     "knots=full",
        "knots=unclamped",   "Lambda=huge",
        "Lambda=knot",       "M=near",
-       "M=inside"}};
+       "M=inside"},
+      {"ball=decided"}};
   return info;
 }
 
@@ -47,7 +48,7 @@ Construction::In Construction::draw(Choices& choices, const Scale& scale, Labels
   return in;
 }
 
-void Construction::check(const In& in, Labels&) {
+void Construction::check(const In& in, Labels& labels) {
   const auto same = [](const Rational& x) { return x; };
   const SurfaceOver<Rational> exact = construct<Rational>(in.input.method, ingredients<Rational>(in.input, same));
   require_promise(in.input, exact);
@@ -56,7 +57,7 @@ void Construction::check(const In& in, Labels&) {
   if (in.arithmetic == "cpp") require_in_cpp(in, exact);
   if (in.arithmetic == "Z/p") require_in_prime_field(in, exact);
   if (in.arithmetic == "batch") require_in_batch(in, exact);
-  if (in.arithmetic == "ball") require_in_balls(in, exact);
+  if (in.arithmetic == "ball") labels.add("ball", hold_in_balls(in, exact) ? "decided" : "open");
 }
 
 }  // namespace torse::fuzz

@@ -33,7 +33,8 @@ void require_promise(const ConstructionInput& in, const SurfaceOver<Rational>& s
 void require_in_cpp(const Construction::In& in, const SurfaceOver<Rational>& exact);
 void require_in_prime_field(const Construction::In& in, const SurfaceOver<Rational>& exact);
 void require_in_batch(const Construction::In& in, const SurfaceOver<Rational>& exact);
-void require_in_balls(const Construction::In& in, const SurfaceOver<Rational>& exact);
+/// Whether balls decide all that the construction asks; where they do not there is no surface to compare.
+bool hold_in_balls(const Construction::In& in, const SurfaceOver<Rational>& exact);
 
 /// Drawn by itself for other properties too.
 ConstructionInput draw_construction(Choices& choices, const Scale& scale, std::string_view method);

@@ -75,6 +75,35 @@ TEST(Run, ALabelThatWasNeverMetMakesTheRunVacuous) {
   EXPECT_NE(vacuity(sums(), tally).find("were discarded"), std::string::npos);
 }
 
+/// Every third case has a label that most should have.
+struct Coins {
+  struct In {
+    int x = 0;
+    template <class Self, class Visitor>
+    static void fields(Self& in, Visitor& visit) {
+      visit("x", in.x);
+    }
+  };
+  static const PropertyInfo& info() {
+    static const PropertyInfo info{"test.coins", "true", 50, {"coin=heads"}, {"coin=heads", "side=one"}};
+    return info;
+  }
+  static In draw(Choices& choices, const Scale&, Labels& labels) {
+    labels.add("coin", choices.once_in(3) ? "heads" : "tails");
+    labels.add("side", "one");
+    return {};
+  }
+  static void check(const In&, Labels&) {}
+};
+
+TEST(Run, ALabelThatMostCasesShouldHaveMustNotBeRare) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) tally.add(run_seed(property<Coins>(), proofs::Effort::quick, seed));
+  EXPECT_EQ(vacuity(property<Coins>(), tally), "in fewer than half of the cases: coin=heads");
+  tally.labels.add("coin", "heads", tally.cases);
+  EXPECT_EQ(vacuity(property<Coins>(), tally), "");
+}
+
 TEST(Run, ASavedCaseOfAnUnknownPropertyOrWithAnotherInputIsAnError) {
   const std::string number = case_file(*find_property("text.number"), R"({"x": "2/3"})");
   EXPECT_EQ(replay_case(Document("f", number)).result, CaseResult::held);
