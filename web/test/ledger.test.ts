@@ -45,7 +45,8 @@ test("shows each claim with the numbers of --json", async () => {
       facts: Object.fromEntries([...card.querySelectorAll(".facts div")].map((row) => [row.firstChild?.textContent, row.lastChild?.textContent])),
     })),
   );
-  assert.equal(shown.length, 87);
+  assert.equal(shown.length, claims.length);
+  assert.ok(claims.length > 80);
   const of = (score: { killed: number; survived: number }) => `${score.killed} of ${score.killed + score.survived}`;
   claims.forEach((claim, i) => {
     const card = shown[i];
@@ -75,11 +76,11 @@ test("typesets every statement, for readers as MathML too", async () => {
 test("filters by paper, engine, text and unstated hypotheses, and tells how many are left", async () => {
   const { page } = await openPage(browser, file);
   const count = () => page.locator("[role=status]").textContent();
-  assert.equal(await count(), "87 claims");
+  assert.equal(await count(), `${claims.length} claims`);
   await page.getByLabel("Paper", { exact: true }).selectOption("ZW06");
   const zw06 = claims.filter((claim) => claim.paper === "ZW06").map((claim) => claim.id);
   assert.deepEqual(await visible(page), zw06);
-  assert.equal(await count(), `${zw06.length} of 87 claims`);
+  assert.equal(await count(), `${zw06.length} of ${claims.length} claims`);
   await page.getByLabel("Engine", { exact: true }).selectOption("modular");
   const modular = (claim: Claim) => claim.engines.some((finding) => finding.engine === "modular");
   assert.deepEqual(await visible(page), claims.filter((claim) => claim.paper === "ZW06" && modular(claim)).map((claim) => claim.id));
