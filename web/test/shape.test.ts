@@ -63,6 +63,8 @@ test("the edge stops where it is far away", () => {
 test("singular rulings are those in the range, or the nearest", () => {
   const at = (from: number, to: number) => singularLines(picture({ singular: [{ reason: "edge", from, to }] }));
   assert.deepEqual(at(0.4, 1), [...(state().rulings[1] ?? []), ...(state().rulings[2] ?? [])]);
+  assert.deepEqual(at(0.5, 1), at(0.4, 1));
+  assert.deepEqual(at(0, 0.5), [...(state().rulings[0] ?? []), ...(state().rulings[1] ?? [])]);
   assert.deepEqual(at(0.2, 0.2), state().rulings[0]);
   assert.deepEqual(at(0.3, 0.3), state().rulings[1]);
 });
@@ -88,6 +90,13 @@ test("axes are eigenvectors, the least first", () => {
 test("a flat strip is seen from above", () => {
   const view = sideView(picture());
   assert.ok(view[2] > 0.9 * Math.hypot(...view));
+});
+
+test("the box holds a net that is not much larger", () => {
+  const row = (y: number) => ({ points: [0, y, 0, 1, y, 0], weights: [1, 1] });
+  const net = (y: number) => ({ degree: 1, knots: [0, 1], c: row(-y), d: row(1 + y) });
+  assert.deepEqual(box(picture({ net: net(0.5) })), { middle: [0.5, 0.5, 0], radius: Math.sqrt(5) / 2 });
+  assert.equal(box(picture({ net: net(50) })).radius, Math.SQRT2 / 2);
 });
 
 test("the box holds all states; nothing to draw is no error", () => {

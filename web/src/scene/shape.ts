@@ -113,22 +113,29 @@ export interface Box {
   radius: number;
 }
 
-/** The box around all rulings of all states. */
-export function box(picture: Picture): Box {
+function boxOf(flat: number[]): Box | null {
   const low: Point = [Infinity, Infinity, Infinity];
   const high: Point = [-Infinity, -Infinity, -Infinity];
-  for (const state of picture.states) {
-    for (const ruling of state.rulings) {
-      (ruling ?? []).forEach((x, i) => {
-        const k = (i % 3) as 0 | 1 | 2;
-        low[k] = Math.min(low[k], x);
-        high[k] = Math.max(high[k], x);
-      });
-    }
-  }
-  if (!Number.isFinite(low[0])) return { middle: [0, 0, 0], radius: 1 };
+  flat.forEach((x, i) => {
+    const k = (i % 3) as 0 | 1 | 2;
+    low[k] = Math.min(low[k], x);
+    high[k] = Math.max(high[k], x);
+  });
+  if (!Number.isFinite(low[0])) return null;
   const middle = low.map((x, k) => (x + (high[k] as number)) / 2) as Point;
   return { middle, radius: Math.max(Math.hypot(...low.map((x, k) => (high[k] as number) - x)) / 2, 1e-6) };
+}
+
+/** A net is in sight at first unless the surface would be too small beside it. */
+const mostNet = 1.7;
+
+/** The box around all rulings of all states, and around the net if that is not much larger. */
+export function box(picture: Picture): Box {
+  const rulings = picture.states.flatMap((state) => state.rulings.flatMap((ruling) => ruling ?? []));
+  const surface = boxOf(rulings) ?? { middle: [0, 0, 0], radius: 1 };
+  if (picture.net === null) return surface;
+  const all = boxOf([...rulings, ...picture.net.c.points, ...picture.net.d.points]);
+  return all !== null && all.radius <= mostNet * surface.radius ? all : surface;
 }
 
 /** Eigenvectors of a symmetric matrix by Jacobi's rotations, that of the least eigenvalue first. */

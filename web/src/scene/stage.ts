@@ -32,6 +32,12 @@ function theRenderer(): three.WebGLRenderer | null {
   return renderer;
 }
 
+/** Degrees from bottom to top: 32, and more where the picture is higher than broad, so that nothing is cut off at the sides. */
+function fieldOfView(aspect: number): number {
+  const half = Math.tan(three.MathUtils.degToRad(16)) * Math.max(1, 1 / aspect);
+  return three.MathUtils.radToDeg(2 * Math.atan(half));
+}
+
 function draw({ view }: Shown): void {
   const gl = theRenderer();
   const context = view.canvas.getContext("2d");
@@ -49,6 +55,7 @@ function draw({ view }: Shown): void {
   const size = gl.getSize(new three.Vector2());
   if (size.x !== width || size.y !== height) gl.setSize(width, height, false);
   view.camera.aspect = width / height;
+  view.camera.fov = fieldOfView(view.camera.aspect);
   view.camera.updateProjectionMatrix();
   gl.render(view.scene, view.camera);
   context.clearRect(0, 0, width, height);
