@@ -199,7 +199,13 @@ SnappedMapping snapped(const Mapping<Rational>& sigma, const KnotList<Rational>&
 
 SnappedMapping snapped(const Mapping<Rational>& sigma, const KnotList<Rational>& of_c1,
                        const KnotList<Rational>& of_c2) {
-  return snapped(sigma, of_c1, of_c2, repair::power_of_two(-40));
+  for (const long exponent : {-40L, -36L}) {
+    try {
+      return snapped(sigma, of_c1, of_c2, repair::power_of_two(exponent));
+    } catch (const Undecided&) {
+    }
+  }
+  return snapped(sigma, of_c1, of_c2, repair::power_of_two(-30));
 }
 
 }  // namespace torse

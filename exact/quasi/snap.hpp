@@ -33,7 +33,8 @@ struct SnappedMapping {
 SnappedMapping snapped(const Mapping<Rational>& sigma, const KnotList<Rational>& of_c1, const KnotList<Rational>& of_c2,
                        const Rational& tolerance);
 
-/// The same with the tolerance 2^-40 (9e-13).
+/// The same with the tolerance 2^-40 (9e-13); where nothing is found, as where a knot of C2 is a little further than
+/// half of that from an end value of sigma, with 2^-36 and 2^-30, which take the end to the knot.
 SnappedMapping snapped(const Mapping<Rational>& sigma, const KnotList<Rational>& of_c1,
                        const KnotList<Rational>& of_c2);
 

@@ -4,6 +4,7 @@
 //   coefficients_from_steps       beta_i = sum_{j<=i} eps_j^2 (BZZ19.5)
 //   identity_mapping              T = t over any knots
 //   mapping_value, mapping_slope  sigma(t), sigma'(t)         derivative_sum     sigma' by its own B-spline (BZZ19.4)
+//   fill_basis, lower_basis       the basis functions on a piece
 //   monotone, strictly_monotone   what the coefficients tell
 #pragma once
 
@@ -81,23 +82,32 @@ S mapping_slope(const Mapping<S>& sigma, const S& t) {
   return curve_derivative(sigma.knots, sigma.points(), piece_at(sigma.knots, t), t)[0];
 }
 
-/// The d basis functions of degree d-1 on piece k that are not zero there, B_{i,d-1}(t) for i = k..k+d-1, by the
-/// recursion of Cox and de Boor. B_{i,d-1} lives on [u_{i-1}, u_{i+d-1}]; the piece must not be empty.
+/// Fills `basis` with the e + 1 basis functions of degree e <= d on piece k that are not zero there, in order, by the
+/// recursion of Cox and de Boor. For e = d these are B_{i,d} for i = k-1..k+d-1, for e = d-1 B_{i,d-1} for i =
+/// k..k+d-1, which lives on [u_{i-1}, u_{i+d-1}]. The piece must not be empty.
 template <Field S>
-std::vector<S> lower_basis(const KnotList<S>& u, int k, const S& t) {
+void fill_basis(const KnotList<S>& u, int k, const S& t, std::span<S> basis) {
   const int m = u.degree() + k - 2;  // the piece is [u_m, u_{m+1}]
-  std::vector<S> basis{from_int<S>(1)};
-  for (int r = 1; r < u.degree(); ++r) {
-    std::vector<S> next(static_cast<std::size_t>(r) + 1, from_int<S>(0));
+  basis[0] = from_int<S>(1);
+  for (int r = 1; r < static_cast<int>(basis.size()); ++r) {
+    S kept = from_int<S>(0);
     for (int i = 0; i < r; ++i) {
+      const std::size_t at_i = static_cast<std::size_t>(i);
       const S& lo = u[m + 1 + i - r];
       const S& hi = u[m + 1 + i];
-      const S part = basis[static_cast<std::size_t>(i)] / (hi - lo);
-      add_product(next[static_cast<std::size_t>(i)], hi - t, part);
-      add_product(next[static_cast<std::size_t>(i) + 1], t - lo, part);
+      const S part = basis[at_i] / (hi - lo);
+      basis[at_i] = kept + (hi - t) * part;
+      kept = (t - lo) * part;
     }
-    basis = std::move(next);
+    basis[static_cast<std::size_t>(r)] = kept;
   }
+}
+
+/// The d basis functions of degree d-1 on piece k that are not zero there, B_{i,d-1}(t) for i = k..k+d-1.
+template <Field S>
+std::vector<S> lower_basis(const KnotList<S>& u, int k, const S& t) {
+  std::vector<S> basis(static_cast<std::size_t>(u.degree()), from_int<S>(0));
+  fill_basis<S>(u, k, t, basis);
   return basis;
 }
 

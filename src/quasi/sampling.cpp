@@ -16,23 +16,6 @@ int piece_of(const KnotList<double>& u, double t) {
   return static_cast<int>(std::min(above, end) - begin);
 }
 
-/// The basis functions of degree d that are not zero at t, by the recursion of Cox and de Boor.
-void fill_basis(const KnotList<double>& u, int k, double t, double* basis) {
-  const int m = u.degree() + k - 2;
-  basis[0] = 1;
-  for (int r = 1; r <= u.degree(); ++r) {
-    double kept = 0;
-    for (int i = 0; i < r; ++i) {
-      const double lo = u[m + 1 + i - r];
-      const double hi = u[m + 1 + i];
-      const double part = basis[i] / (hi - lo);
-      basis[i] = kept + (hi - t) * part;
-      kept = (t - lo) * part;
-    }
-    basis[r] = kept;
-  }
-}
-
 /// Parameters t in the range at which t + sigma(t) takes `count` evenly spread values, found on a grid.
 std::vector<double> evenly_on_both(const Rail& c, const Mapping<double>& sigma, std::size_t count, const Range& range) {
   const Sampling grid(c, sigma.knots, midpoints(16 * count, range));
@@ -60,7 +43,7 @@ Sampling::Sampling(const Rail& c, const KnotList<double>& knots, std::vector<dou
     const int k = piece_of(knots, parameters_[r]);
     jets_.push_back(c(parameters_[r]));
     first_.push_back(static_cast<std::size_t>(k - 1));
-    fill_basis(knots, k, parameters_[r], basis_.data() + r * width);
+    fill_basis<double>(knots, k, parameters_[r], std::span(basis_).subspan(r * width, width));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "torse/exact/quasi/monotony.hpp"
+#include "torse/quasi/preimages.hpp"
 #include "torse/quasi/surface.hpp"
 #include "torse/spline/compatible.hpp"
 
@@ -123,6 +124,37 @@ TEST(Snapped, EndsAreTakenToKnotsOfTheSecondRail) {
   EXPECT_THROW(snapped(beyond, uniform(1, 1), uniform(3, 4)), InvalidInput);
   EXPECT_THROW(snapped(mapping_of(uniform(1, 1), {Q(1), Q(0)}), uniform(1, 1), uniform(3, 4)), InvalidInput);
   EXPECT_THROW(snapped(sigma, uniform(1, 1), uniform(3, 4), Q(0)), InvalidInput);
+}
+
+/// Ends at all distances from a knot of the second rail. Some of them are too far from it to be taken there within
+/// 2^-40 and too near to leave room for a coefficient in between.
+TEST(Snapped, EndsAreAtAnyDistanceFromAKnot) {
+  int wider = 0;
+  for (int degree = 1; degree <= 4; ++degree) {
+    for (int exponent = 36; exponent <= 43; ++exponent) {
+      for (const int part : {-3, -2, -1, 1, 2, 3}) {
+        std::vector<Q> beta;
+        const KnotList<Q> u = uniform(degree, 4);
+        for (int i = 0; i <= u.last(); ++i) beta.push_back(ratio<Q>(i, 2 * u.last()));
+        beta.back() += Q(part) / Q(1LL << exponent);
+        const Mapping<Q> sigma = mapping_of(u, beta);
+        const SnappedMapping result = snapped(sigma, uniform(1, 1), uniform(3, 4));
+        std::vector<Q> passed;
+        for (const Q& t : result.parameters) passed.push_back(mapping_value(result.sigma, t));
+        EXPECT_EQ(passed, inner_values(result.sigma, uniform(3, 4)));
+        EXPECT_NE(decide_monotony(result.sigma).kind, Monotony::none);
+        EXPECT_LE(result.change, Q(1) / Q(1LL << 30));
+        for (int i = 0; i <= 20; ++i) {
+          const Q t = ratio<Q>(i, 20);
+          const Q moved = mapping_value(result.sigma, t) - mapping_value(sigma, t);
+          EXPECT_FALSE(result.change < moved || moved < -result.change);
+        }
+        if (relative < result.change) ++wider;
+      }
+    }
+  }
+  EXPECT_GT(wider, 0) << "no case needs the wider tolerance";
+  EXPECT_LT(wider, 40);
 }
 
 TEST(Snapped, LevelPartsOnAndNearKnotsOfTheSecondRail) {
