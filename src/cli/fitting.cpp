@@ -224,6 +224,24 @@ void simplify(FittedStrip& strip, const Within& within) {
                       own_warp(file)};
 }
 
+bool one_point(const CurveFile<Rational>& rail) {
+  return std::ranges::all_of(rail.net.points, [&](const auto& x) { return x == rail.net.points.front(); });
+}
+
+bool same_curve(const CurveFile<Rational>& c, const CurveFile<Rational>& d) {
+  return c.knots.list() == d.knots.list() && c.net.points == d.net.points && c.net.weights == d.net.weights;
+}
+
+std::vector<std::string> notes_on(const RailsFile<Rational>& rails) {
+  std::vector<std::string> notes;
+  for (const auto& [rail, name] : {std::pair{&rails.c, "first"}, std::pair{&rails.d, "second"}}) {
+    if (!one_point(*rail)) continue;
+    notes.push_back(std::string("the ") + name + " rail is one point: all rulings meet there, as on a cone");
+  }
+  if (same_curve(rails.c, rails.d)) notes.emplace_back("both rails are the same curve: there is no strip between them");
+  return notes;
+}
+
 /// Folds and crossings of the surface.
 void certify_order(FittedStrip& strip) {
   const KnotList<Rational>& u = strip.surface.knots;
@@ -238,6 +256,67 @@ void certify_order(FittedStrip& strip) {
   }
 }
 
+/// A mapping between rails, before it is certified.
+struct Found {
+  RailsFile<Rational> rails;
+  quasi::Rails unit;
+  MethodResult method;
+  SnappedMapping exact;
+  std::vector<TrimLine> trims{};
+  quasi::Range range{};
+  quasi::WarpStatistics after{};  ///< within the range
+};
+
+Found find_mapping(const RailsFile<Rational>& rails, const FitWishes& wishes) {
+  quasi::Rails unit = unit_rails(rails);
+  MethodResult method = run_method(unit, wishes.options, wishes.method);
+  SnappedMapping exact = exact_mapping(method, rails);
+  Found found{rails, std::move(unit), std::move(method), std::move(exact)};
+  found.after = quasi::warp_statistics(found.unit, found.method.sigma, measured_rulings);
+  return found;
+}
+
+FitWishes with_fixed_ends(FitWishes wishes) {
+  wishes.options.ends = quasi::Ends::fixed;
+  return wishes;
+}
+
+/// Cuts the mapping between longer rails off at the outer ones of the rulings through the old ends.
+void trim(Found& found, const RailsFile<Rational>& rails) {
+  found.trims = trim_lines(found.exact, rails);
+  const std::vector<TrimLine>& trims = found.trims;
+  found.exact.sigma =
+      restrict_spline(found.exact.sigma, std::min(trims[0].c, trims[0].d), std::max(trims[1].c, trims[1].d));
+  const KnotList<Rational>& u = found.exact.sigma.knots;
+  const KnotList<Rational>& c = found.rails.c.knots;
+  const Rational length = c.domain_end() - c.domain_begin();
+  found.range = {Rational((u.domain_begin() - c.domain_begin()) / length).to_double(),
+                 Rational((u.domain_end() - c.domain_begin()) / length).to_double()};
+  found.after = quasi::warp_statistics(found.unit, found.method.sigma, measured_rulings, found.range);
+}
+
+double measure_of(const quasi::WarpStatistics& warp, quasi::Measure measure) {
+  return measure == quasi::Measure::mean ? warp.mean : measure == quasi::Measure::rms ? warp.rms : warp.max;
+}
+
+/// Of the mapping between the extended rails and that between the old ones with fixed ends, which is a strip between
+/// the old ends too, the better one.
+Found best_extended(const RailsFile<Rational>& rails, const FitWishes& wishes) {
+  const RailsFile<Rational> longer = extended_rails(rails, *wishes.extension);
+  Found found = find_mapping(longer, wishes);
+  if (!reaches_ends(found.exact.sigma, rails.d.knots)) found = find_mapping(longer, with_fixed_ends(wishes));
+  trim(found, rails);
+  Found fixed = find_mapping(rails, with_fixed_ends(wishes));
+  const quasi::Measure measure = wishes.options.measure;
+  const double seconds = found.method.seconds + fixed.method.seconds;
+  if (measure_of(fixed.after, measure) <= measure_of(found.after, measure)) {
+    found = std::move(fixed);
+    trim(found, rails);
+  }
+  found.method.seconds = seconds;
+  return found;
+}
+
 double degrees_of(const Angle& angle) { return angle.value.to_double() * (angle.radians ? 180 / std::numbers::pi : 1); }
 
 }  // namespace
@@ -249,51 +328,36 @@ quasi::Rails unit_rails(const RailsFile<Rational>& rails) {
 
 FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes) {
   require_size(rails, wishes);
-  const RailsFile<Rational> used = wishes.extension ? extended_rails(rails, *wishes.extension) : rails;
-  const quasi::Rails unit = unit_rails(used);
-  MethodResult method = run_method(unit, wishes.options, wishes.method);
-  SnappedMapping exact = exact_mapping(method, used);
-  if (wishes.extension && !reaches_ends(exact.sigma, rails.d.knots)) {
-    quasi::FitOptions fixed = wishes.options;
-    fixed.ends = quasi::Ends::fixed;
-    method = run_method(unit, fixed, wishes.method);
-    exact = exact_mapping(method, used);
-  }
-  std::vector<TrimLine> trims;
-  if (wishes.extension) {
-    trims = trim_lines(exact, rails);
-    exact.sigma = restrict_spline(exact.sigma, std::min(trims[0].c, trims[0].d), std::max(trims[1].c, trims[1].d));
-  }
-  const KnotList<Rational>& u = exact.sigma.knots;
-  const Rational begin = used.c.knots.domain_begin();
-  const Rational length = used.c.knots.domain_end() - begin;
-  const quasi::Range range{Rational((u.domain_begin() - begin) / length).to_double(),
-                           Rational((u.domain_end() - begin) / length).to_double()};
+  Found found = wishes.extension ? best_extended(rails, wishes) : find_mapping(rails, wishes);
   const double threshold = wishes.max_warp ? degrees_of(*wishes.max_warp) : default_threshold;
   const quasi::Rails old = unit_rails(rails);
-  const Mapping<double> sigma = method.sigma;
+  const RailsFile<Rational>& used = found.rails;
+  const Mapping<double> sigma = found.method.sigma;
   FittedStrip strip{
-      .method = std::move(method),
-      .sigma = exact.sigma,
-      .change = exact.change / (used.d.knots.domain_end() - used.d.knots.domain_begin()),
-      .monotony = decide_monotony(exact.sigma),
-      .surface = ruled_file(quasi_surface(curve_of(used.c), curve_of(used.d), exact.sigma)),
+      .method = std::move(found.method),
+      .sigma = found.exact.sigma,
+      .change = found.exact.change / (used.d.knots.domain_end() - used.d.knots.domain_begin()),
+      .monotony = decide_monotony(found.exact.sigma),
+      .surface = ruled_file(quasi_surface(curve_of(used.c), curve_of(used.d), found.exact.sigma)),
       .simplified = {},
       .before = quasi::warp_statistics(old, same_parameter(), measured_rulings),
-      .after = quasi::warp_statistics(unit, sigma, measured_rulings, range),
+      .after = found.after,
       .certified = {},
       .folds = {},
       .crossings = {},
       .old_rulings = quasi::sampled_rulings(old, same_parameter(), drawn_rulings),
-      .rulings = quasi::sampled_rulings(unit, sigma, drawn_rulings, range),
-      .trims = std::move(trims),
-      .range = range,
+      .rulings = quasi::sampled_rulings(found.unit, sigma, drawn_rulings, found.range),
+      .trims = std::move(found.trims),
+      .notes = notes_on(rails),
+      .range = found.range,
       .threshold = threshold,
-      .findings = quasi::diagnose(unit, sigma, {.range = range, .threshold = threshold}),
+      .findings = quasi::diagnose(found.unit, sigma, {.range = found.range, .threshold = threshold}),
   };
   if (wishes.within) simplify(strip, *wishes.within);
   require_effort(wishes.file, strip.surface);
   certify_order(strip);
+  // Where all rulings meet in one point of a rail the question is not whether two of them do.
+  if (one_point(rails.c) || one_point(rails.d)) strip.crossings = {};
   if (!judge(strip.surface).developable()) strip.certified = judge_warp(strip.surface, wishes.max_warp);
   return strip;
 }

@@ -30,16 +30,25 @@ constexpr double most_power = 64;
 /// Angles below this are rounding errors.
 constexpr double least_angle = 1e-15;
 
+/// Lower measures may be nothing but rounding errors, which no descent leaves for good: an angle takes some 500
+/// operations, and rulings and tangents are an eighth of the rails' size or so.
+constexpr double rounding_angle = 0x1p-53 * 500 * 8;
+
 /// A smooth loss of an angle: its value, slope and curvature.
 struct Loss {
   Measure measure;
   double scale;  ///< delta of the mean, the largest angle of the maximum
   double power;  ///< of the maximum
+  double cap;    ///< of the mean, infinite for none
 
   Taylor<double> operator()(double angle) const {
     if (measure == Measure::mean) {
       const double value = std::sqrt(angle * angle + scale * scale);
-      return {value, angle / value, scale / value * (scale / value) / value};
+      const double share = std::abs(angle) / cap;
+      const double low = share > 0 ? std::pow(share, most_power - 2) : 0;
+      return {value + (low > 0 ? low * share * share * cap : 0),
+              angle / value + most_power * low * share * (angle < 0 ? -1 : 1),
+              scale / value * (scale / value) / value + most_power * (most_power - 1) * low / cap};
     }
     if (measure == Measure::rms) return {angle * angle, 2 * angle, 2};
     const double share = std::abs(angle) / scale;
@@ -85,7 +94,8 @@ class Descender {
   }
 
   Descent run() {
-    Loss loss{options_.measure, options_.measure == Measure::mean ? best_ : std::max(best_, least_angle), 2};
+    Loss loss{options_.measure, options_.measure == Measure::mean ? best_ : std::max(best_, least_angle), 2,
+              options_.cap};
     for (int stage = 0; stage < options_.stages && best_ > least_angle && loss.scale > least_angle; ++stage) {
       const double before = best_;
       descend_stage(loss);
@@ -93,7 +103,7 @@ class Descender {
       if (result_.converged && sharp(loss)) break;
       sharpen(loss, stage);
     }
-    result_.converged = result_.converged || best_ <= least_angle;
+    result_.converged = result_.converged || best_ <= rounding_angle;
     result_.beta = best_beta_;
     result_.value = best_;
     return std::move(result_);
@@ -205,7 +215,8 @@ class Descender {
 
   void keep_best() {
     const double value = measure_of(angles_, options_.measure);
-    if (value < best_) {
+    const bool allowed = measure_of(angles_, Measure::max) <= options_.cap;
+    if (value < best_ && allowed) {
       best_ = value;
       best_beta_ = result_.beta;
     }

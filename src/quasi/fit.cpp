@@ -30,7 +30,7 @@ constexpr double rounding = 1e-9;
 /// What a strip may cost that does not fold over, as a factor of the measure.
 constexpr double next_to_nothing = 1.005;
 
-/// What a surface may cost that is not singular.
+/// What a surface may cost that is not singular, or whose mean is lower than that of others with its maximum.
 constexpr double as_good = 1.0001;
 
 /// As much as equal coefficients are moved apart, together.
@@ -104,6 +104,12 @@ void part_equal(std::vector<double>& beta, const Runs& runs) {
   }
 }
 
+/// The larger angle of the rulings from the ends of c to d(first) and d(last).
+double end_angle(const Rails& rails, double first, double last, AngleKind kind) {
+  return std::max(std::abs(ruling_angle(rails.c(0), rails.d(first), kind).angle.value),
+                  std::abs(ruling_angle(rails.c(1), rails.d(last), kind).angle.value));
+}
+
 class Fitter {
  public:
   Fitter(const Rails& rails, const FitOptions& options)
@@ -125,6 +131,7 @@ class Fitter {
     if (fit_.stages.back().after >= fit_.initial) try_start("T = t", identity);
     shift_steep_places();
     if (options_.adaptive) move_knots();
+    if (options_.measure == Measure::max) lower_mean();
     part_equal_coefficients();
     fit_.mapping = mapping_of(knots_, beta_);
     fit_.value = value_;
@@ -240,6 +247,30 @@ class Fitter {
     breaks_ = breaks;
   }
 
+  /// A few rulings decide the maximum, often those at fixed ends. The others are made good among mappings with no
+  /// larger one, by the mean: the best one by that, if it is among them, else by a descent.
+  void lower_mean() {
+    const double ends = options_.ends == Ends::fixed ? end_angle(rails_, 0, 1, options_.kind) : 0;
+    DescentOptions mean = descent_options();
+    mean.measure = Measure::mean;
+    mean.cap = as_good * std::max(value_ / degrees, ends);
+    FitOptions by_mean = options_;
+    by_mean.measure = Measure::mean;
+    Fit other = Fitter(rails_, by_mean).run();
+    const Sampling others(rails_.c, other.mapping.knots, sample_parameters());
+    if (measured(rails_.d, others, coefficients(other.mapping), descent_options()) <= mean.cap) {
+      knots_ = other.mapping.knots;
+      beta_ = coefficients(other.mapping);
+    }
+    const Sampling samples(rails_.c, knots_, sample_parameters());
+    const double before = measured(rails_.d, samples, beta_, mean) * degrees;
+    Descent descent = descend(rails_.d, samples, beta_, mean);
+    fit_.stages.push_back({"mean", before, descent.value * degrees, static_cast<int>(descent.steps.size()),
+                           descent.evaluations, descent.converged});
+    beta_ = std::move(descent.beta);
+    value_ = std::max(ends, measured(rails_.d, samples, beta_, descent_options())) * degrees;
+  }
+
   /// Where more than `degree` coefficients are equal the mapping would rest on a point of the second rail and the
   /// surface be a cone with its vertex there. Where two are at an end, or `degree` elsewhere, its slope vanishes and
   /// the surface is singular: that may stay only if the warp is better for it, as with T = t^2.
@@ -266,12 +297,16 @@ class Fitter {
   double value_ = 0;
 };
 
-/// The measure by an angle, degrees, at `times` as many rulings as a fit samples.
+/// The measure by an angle, degrees, at `times` as many rulings as a fit samples; the maximum is that of the end
+/// rulings too.
 double measure_at(const Rails& rails, const Mapping<double>& sigma, const FitOptions& options, AngleKind kind,
                   std::size_t times) {
   const Sampling samples(rails.c, sigma.knots, midpoints(times * fit_samples(options)));
   const DescentOptions descent{.measure = options.measure, .kind = kind};
-  return measured(rails.d, samples, coefficients(sigma), descent) * degrees;
+  const std::vector<double> beta = coefficients(sigma);
+  const double value = measured(rails.d, samples, beta, descent);
+  const double ends = options.measure == Measure::max ? end_angle(rails, beta.front(), beta.back(), kind) : 0;
+  return std::max(value, ends) * degrees;
 }
 
 /// A fit by the angle of planes, or by that of sides if the strip would fold over and this costs next to nothing.

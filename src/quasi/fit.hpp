@@ -24,7 +24,7 @@ struct FitOptions {
 
 /// One descent of a fit.
 struct FitStage {
-  std::string start;  ///< "path", "T = t", "shifted", "moved knots"
+  std::string start;  ///< "path", "T = t", "shifted", "moved knots"; "mean" of a maximum: then both are of the mean
   double before;      ///< the measure in degrees where it began
   double after;       ///< and where it ended
   int steps;

@@ -365,6 +365,77 @@ TEST_F(Fit, HardRailsGiveACertifiedSurfaceNoWorseThanTheSameParameter) {
   }
 }
 
+/// The warp is free of scale, so sizes of a millionth and a million give the same surface but for its size.
+TEST_F(Fit, SizesDoNotMatter) {
+  const auto scaled = [](const std::string& factor) {
+    json rails = json::parse(plain);
+    for (const char* rail : {"c", "d"}) {
+      for (json& xyz : rails[rail]["points"]) {
+        for (json& x : xyz) x = x.dump() + factor;
+      }
+    }
+    return rails.dump();
+  };
+  const json usual = this->report(scaled(""), {"--coefficients", "10"});
+  for (const char* factor : {"e-6", "e6", "e-200"}) {
+    SCOPED_TRACE(factor);
+    const json other = this->report(scaled(factor), {"--coefficients", "10"});
+    EXPECT_EQ(other.at("mapping").at("coefficients"), usual.at("mapping").at("coefficients"));
+    EXPECT_NEAR(other.at("max_warp_deg").at("hi"), usual.at("max_warp_deg").at("hi"), 1e-9);
+  }
+}
+
+/// A rail of one point makes a cone, equal rails no strip at all, and rails that nearly touch are rails as others.
+TEST_F(Fit, UnusualRailsAreNamed) {
+  const std::string curve = R"({"degree": 3, "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1]]})";
+  const std::string near =
+      R"({"degree": 3, "points": [[0,1e-6,0],[1,0.4,0.200001],[2,-0.199999,0.5],[3,0.3,0.100001]]})";
+  const std::string spot = R"({"degree": 1, "points": [[1,5,2],[1,5,2]]})";
+  const auto rails = [](const std::string& c, const std::string& d) {
+    return R"({"torse": 1, "type": "rails", "c": )" + c + R"(, "d": )" + d + "}";
+  };
+  for (const bool second : {false, true}) {
+    const std::string text = second ? rails(curve, spot) : rails(spot, curve);
+    const json cone = this->report(text, {"--coefficients", "6"});
+    EXPECT_EQ(cone.at("developable"), true);
+    EXPECT_TRUE(cone.at("self_intersection").at("crosses").is_null());
+    EXPECT_THAT(cone.at("notes").at(0).get<std::string>(),
+                HasSubstr(second ? "second rail is one" : "first rail is one"));
+    EXPECT_THAT(run_program({"check", file("out.json")}).out, HasSubstr("cone"));
+  }
+  const json same = this->report(rails(curve, curve), {"--coefficients", "6"});
+  EXPECT_THAT(same.at("notes").at(0).get<std::string>(), HasSubstr("the same curve: there is no strip"));
+  const json close = this->report(rails(curve, near), {"--coefficients", "6"});
+  EXPECT_FALSE(close.contains("notes"));
+  EXPECT_LE(close.at("after").at("mean_deg"), close.at("before").at("mean_deg"));
+  EXPECT_LE(close.at("max_warp_deg").at("lo"), close.at("max_warp_deg").at("hi"));
+}
+
+/// Of the strips with fixed ends the least maximum is that of the end rulings here; the mean is low all the same.
+TEST_F(Fit, TheLeastMaximumLeavesNoHighMean) {
+  const std::string cubics = slurp(TORSE_SOURCE_PATH "/examples/cubics.json");
+  const json by_mean = this->report(cubics, {"--coefficients", "20"});
+  const json by_max = this->report(cubics, {"--coefficients", "20", "--measure", "max"});
+  EXPECT_LE(by_max.at("max_warp_deg").at("lo"), by_mean.at("max_warp_deg").at("hi"));
+  EXPECT_LE(by_max.at("after").at("mean_deg").get<double>(), 1.05 * by_mean.at("after").at("mean_deg").get<double>());
+  const json free = this->report(cubics, {"--coefficients", "20", "--measure", "max", "--ends", "free"});
+  EXPECT_LT(free.at("max_warp_deg").at("hi").get<double>(), 0.6 * by_max.at("max_warp_deg").at("hi").get<double>());
+}
+
+TEST_F(Fit, ExtendedEndsAreNeverWorseThanFixedOnes) {
+  int longer = 0;
+  for (const char* name : {"cubics", "hull-bottom", "hull-side", "shoe-strap"}) {
+    SCOPED_TRACE(name);
+    const std::string rails = slurp(std::string(TORSE_SOURCE_PATH "/examples/") + name + ".json");
+    const json fixed = this->report(rails, {"--coefficients", "20"});
+    const json extended = this->report(rails, {"--coefficients", "20", "--ends", "extended"});
+    EXPECT_LE(extended.at("after").at("mean_deg"), fixed.at("after").at("mean_deg"));
+    const json& begin = extended.at("trim").at("begin");
+    if (begin.at("c") != begin.at("d")) ++longer;
+  }
+  EXPECT_GT(longer, 0) << "no strip is extended";
+}
+
 TEST_F(Fit, RefusesAndWritesNothing) {
   const auto refused = [&](const std::string& text, const std::vector<std::string>& options, const std::string& words) {
     const ProgramResult result = run(text, options);
