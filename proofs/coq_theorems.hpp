@@ -14,7 +14,7 @@ struct CoqTheorem {
 };
 
 // clang-format off
-inline constexpr std::array<CoqTheorem, 32> coq_theorems{
+inline constexpr std::array<CoqTheorem, 54> coq_theorems{
     CoqTheorem{"FJ07.1", "FJ07_1_curvature"},
     CoqTheorem{"FJ07.2", "FJ07_2_ruling"},
     CoqTheorem{"FJ07.3", "FJ07_3_normals"},
@@ -47,6 +47,28 @@ inline constexpr std::array<CoqTheorem, 32> coq_theorems{
     CoqTheorem{"FJ07.C2", "FJ07_C2_cylinder"},
     CoqTheorem{"FJ07.T1", "FJ07_T1_piece"},
     CoqTheorem{"FJ07.T1", "FJ07_T1_developable"},
+    CoqTheorem{"ZW06.5", "ZW06_5_condition"},
+    CoqTheorem{"ZW06.9", "ZW06_9_derivative"},
+    CoqTheorem{"ZW06.11", "ZW06_11_cone"},
+    CoqTheorem{"ZW06.12", "ZW06_12_unique"},
+    CoqTheorem{"ZW06.13", "ZW06_13_unique"},
+    CoqTheorem{"ZW06.15", "ZW06_15_tangent"},
+    CoqTheorem{"ZW06.16", "ZW06_16_recursion"},
+    CoqTheorem{"ZW06.16", "ZW06_16_closed"},
+    CoqTheorem{"ZW06.17", "ZW06_17_unique"},
+    CoqTheorem{"ZW06.18", "ZW06_18_recursion"},
+    CoqTheorem{"ZW06.20", "ZW06_20_unique"},
+    CoqTheorem{"BZZ19.4", "BZZ19_4_derivative"},
+    CoqTheorem{"BZZ19.5", "BZZ19_5_steps"},
+    CoqTheorem{"BZZ19.5", "BZZ19_5_slope"},
+    CoqTheorem{"BZZ19.5", "BZZ19_5_monotone"},
+    CoqTheorem{"BZZ19.6", "BZZ19_6_determinant"},
+    CoqTheorem{"BZZ19.6", "BZZ19_6_condition"},
+    CoqTheorem{"BZZ19.7", "BZZ19_7_common"},
+    CoqTheorem{"BZZ19.13", "BZZ19_13_composition"},
+    CoqTheorem{"BZZ19.14", "BZZ19_14_power"},
+    CoqTheorem{"BZZ19.14", "BZZ19_14_bernstein"},
+    CoqTheorem{"BZZ19.15", "BZZ19_15_elevation"},
 };
 // clang-format on
 

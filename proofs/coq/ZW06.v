@@ -1,0 +1,217 @@
+(* ZW06: developable Bezier surfaces through a directrix a(u), the Bezier curve of p_0, ..., p_n; the rulings are
+   tau(u), with points tau_i = q_i - p_i.
+   Definitions:
+     rate n p i       the points (n-i) (p_{i+1} - p_i) + i (p_i - p_{i-1}) of a' in degree n
+     mean_step p i    A_i of ZW06.16, the sum of (j+1) (p_{j+1} - p_j) over j <= i, divided by (i+1)(i+2) *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points Dependence Bernstein Bezier.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Condition.
+Variable F : fieldType.
+Implicit Types (p w : 'rV[{poly F}]_3) (a b : {poly F}).
+
+(** ZW06.5 condition: $a(u)+v\tau(u)$ is developable, $[a',\tau,\tau']=0$, iff $Aa'+B\tau+C\tau'=0$ with polynomials $A,B,C$
+    that are not all zero. *)
+Theorem ZW06_5_condition p w : triple (pderiv p) w (pderiv w) = 0 <-> dependent (pderiv p) w (pderiv w).
+Proof. exact: triple_dependent. Qed.
+
+(** ZW06.9 derivative: for $a'=a\tau+b\tau'$ the curve $a_1=a(u)-b\tau$ has $a_1'=(a-b')\tau$. *)
+Theorem ZW06_9_derivative p w a b : pderiv p = a *: w + b *: pderiv w -> pderiv (p - b *: w) = (a - b^`()) *: w.
+Proof.
+move=> e; apply/rowP=> k; have := congr1 (fun r : 'rV__ => r 0 k) e; rewrite !mxE derivB derivM => ->.
+by move: (w 0 k) (w 0 k)^`() b^`() => x y z; ring.
+Qed.
+
+(** ZW06.11 cone: $a_1'=0$, so that all rulings pass through one point, iff $a=b'$.
+    Hypotheses: the rulings do not vanish identically. *)
+Theorem ZW06_11_cone p w a b : w != 0 -> pderiv p = a *: w + b *: pderiv w -> pderiv (p - b *: w) = 0 <-> a = b^`().
+Proof.
+move=> nz /ZW06_9_derivative ->; split=> [/eqP|->]; last by rewrite subrr scale0r.
+by rewrite scalemx_eq0 (negPf nz) orbF subr_eq0 => /eqP.
+Qed.
+
+(** ZW06.15 tangent: where $a\ne b'$ the ruling is the tangent of $a_1$: $\tau=a_1'/(a-b')$. *)
+Theorem ZW06_15_tangent p w a b : pderiv p = a *: w + b *: pderiv w ->
+  pderiv (p - b *: w) = (a - b^`()) *: w /\ p - b *: w + b *: w = p.
+Proof. by move=> /ZW06_9_derivative ->; rewrite subrK. Qed.
+End Condition.
+
+Section Nets.
+Variables (F : fieldType) (m : nat).
+Implicit Types (p tau : nat -> 'rV[F]_m) (n i : nat) (rho s : F).
+
+Definition rate n p i := (n - i)%:R *: (p i.+1 - p i) + i%:R *: (p i - prev p i) : 'rV[F]_m.
+
+Lemma eq_of_diff (a b a' b' : 'rV[F]_m) : a - b = b' - a' -> a = b <-> a' = b'.
+Proof.
+move=> e; split=> h; apply/eqP; first by rewrite eq_sym -subr_eq0 -e h subrr.
+by rewrite -subr_eq0 e h subrr.
+Qed.
+
+Lemma pderiv_rate n p : pderiv (pbez n p) = pbez n (rate n p).
+Proof. exact: deriv_pbez. Qed.
+
+(** ZW06.17 unique: $a'=\tau$ ($a=1$, $b=0$) iff $\tau_i=(n-i)\Delta p_i+i\Delta p_{i-1}$.
+    Hypotheses: characteristic 0 or beyond the degree. *)
+Theorem ZW06_17_unique n p tau : good F n ->
+  pderiv (pbez n p) = pbez n tau <-> forall i, (i <= n)%N -> tau i = rate n p i.
+Proof.
+move=> g; rewrite pderiv_rate pbez_inj //.
+by split=> e i le_i; rewrite e.
+Qed.
+
+(** ZW06.16 recursion: $a'=2\tau+u\tau'$ iff $(i+2)\tau_i=(n-i)\Delta p_i+i\Delta p_{i-1}+i\tau_{i-1}$.
+    Hypotheses: characteristic 0 or beyond the degree. *)
+Theorem ZW06_16_recursion n p tau : good F n ->
+  pderiv (pbez n p) = 2%:R%:P *: pbez n tau + 'X *: pderiv (pbez n tau) <->
+  forall i, (i <= n)%N -> (i + 2)%:R *: tau i = rate n p i + i%:R *: prev tau i.
+Proof.
+move=> g; rewrite pderiv_rate X_deriv_pbez pbez_scale pbez_add pbez_inj //.
+suff eq i : rate n p i = 2%:R *: tau i + i%:R *: (tau i - prev tau i) <-> (i + 2)%:R *: tau i = rate n p i + i%:R *: prev tau i.
+  by split=> e i /e/eq.
+by apply: eq_of_diff; apply/rowP=> k; rewrite natrD !mxE;
+  move: (rate n p i 0 k) (tau i 0 k) (prev tau i 0 k) (i%:R) => r x y j; ring.
+Qed.
+
+(** ZW06.18 recursion: $u\,a'=\tau+u\tau'$ ($a=1/u$, $b=1$) iff $q_0=p_0$ and $q_i=p_i+\frac{i}{i+1}(p_i+q_{i-1}-2p_{i-1})$, that is
+    $(i+1)\tau_i=i(\Delta p_{i-1}+\tau_{i-1})$. *)
+Theorem ZW06_18_recursion n p tau : good F n ->
+  'X *: pderiv (pbez n p) = pbez n tau + 'X *: pderiv (pbez n tau) <->
+  forall i, (i <= n)%N -> i.+1%:R *: tau i = i%:R *: (p i - prev p i + prev tau i).
+Proof.
+move=> g; rewrite !X_deriv_pbez pbez_add pbez_inj //.
+suff eq i : i%:R *: (p i - prev p i) = tau i + i%:R *: (tau i - prev tau i) <-> i.+1%:R *: tau i = i%:R *: (p i - prev p i + prev tau i).
+  by split=> e i /e/eq.
+by apply: eq_of_diff; apply/rowP=> k; rewrite -[i.+1]addn1 natrD !mxE;
+  move: (p i 0 k) (prev p i 0 k) (tau i 0 k) (prev tau i 0 k) (i%:R) => p1 p0 x y j; ring.
+Qed.
+
+(** ZW06.12 unique: $(\rho-1)a'=\tau'$ ($a=0$, $b=1/(\rho-1)$, a cone) iff $q_i=q_0+\rho(p_i-p_0)$.
+    Hypotheses: characteristic 0 or beyond the degree. *)
+Theorem ZW06_12_unique n p tau rho : good F n ->
+  (rho - 1)%:P *: pderiv (pbez n p) = pderiv (pbez n tau) <->
+  forall i, (i <= n)%N -> p i + tau i = p 0%N + tau 0%N + rho *: (p i - p 0%N).
+Proof.
+move=> g; have [nz _] := g; rewrite !pderiv_rate pbez_scale pbez_inj //.
+pose h i := tau i - (rho - 1) *: p i; have eh i : (rho - 1) *: rate n p i = rate n tau i <-> rate n h i = 0.
+  apply: eq_of_diff; apply/rowP=> k; rewrite /rate /h /prev !mxE;
+  move: (p i.+1 0 k) (p i 0 k) (p i.-1 0 k) (tau i.+1 0 k) (tau i 0 k) (tau i.-1 0 k) (i%:R) ((n - i)%:R) => p2 p1 p0 x2 x1 x0 j l; ring.
+have const : (forall i, (i <= n)%N -> rate n h i = 0) <-> forall i, (i <= n)%N -> h i = h 0%N.
+  split=> [e|e i le_i]; last first.
+    rewrite /rate /prev [h i]e //; have -> : h i.-1 = h 0%N by apply: e; lia.
+    rewrite subrr scaler0 addr0; have [lt_i|le_n] := ltnP i n; first by rewrite e // subrr scaler0.
+    by rewrite (_ : n - i = 0)%N ?scale0r //; lia.
+  elim=> // i ih lt_i; rewrite -ih 1?ltnW //; move: {ih} i lt_i; elim=> [|i ih] lt_i.
+    have := e 0%N isT; rewrite /rate scale0r addr0 subn0 => /eqP; rewrite scaler_eq0 (negPf (nz n _)) ?subr_eq0 /=; last by lia.
+    by move/eqP.
+  have := e i.+1 (ltnW lt_i); rewrite /rate /prev /= (ih (ltnW lt_i)) subrr scaler0 addr0 => /eqP.
+  by rewrite scaler_eq0 (negPf (nz _ _)) ?subr_eq0 /= => [/eqP|]; last by lia.
+rewrite (_ : (forall i, _ -> (rho - 1) *: rate n p i = _) <-> (forall i, (i <= n)%N -> rate n h i = 0)); last first.
+  by split=> e i /e /eh.
+rewrite const; split=> e i /e; rewrite /h => {}e.
+  have -> : tau i = (tau 0%N - (rho - 1) *: p 0%N) + (rho - 1) *: p i by rewrite -e subrK.
+  by apply/rowP=> k; rewrite !mxE; move: (p i 0 k) (p 0%N 0 k) (tau 0%N 0 k) => p1 p0 x; ring.
+have -> : tau i = p 0%N + tau 0%N + rho *: (p i - p 0%N) - p i by rewrite -e addrAC subrr add0r.
+by apply/rowP=> k; rewrite !mxE; move: (p i 0 k) (p 0%N 0 k) (tau 0%N 0 k) => p1 p0 x; ring.
+Qed.
+
+(** ZW06.13 unique: $a'=s\tau+su\tau'$ ($a=s$, $b=su$, the cone with vertex $p_0$) iff
+    $(i+1)s\tau_i=(n-i)p_{i+1}+(i+1)p_i-(n+1)p_0$; for $i=n$ this is $q_n=p_n+(p_n-p_0)/s$.
+    Hypotheses: characteristic 0 or beyond the degree. *)
+Theorem ZW06_13_unique n p tau s : good F n ->
+  pderiv (pbez n p) = s%:P *: pbez n tau + s%:P *: ('X *: pderiv (pbez n tau)) <->
+  forall i, (i <= n)%N -> (i.+1%:R * s) *: tau i = (n - i)%:R *: p i.+1 + i.+1%:R *: p i - n.+1%:R *: p 0%N.
+Proof.
+move=> g; rewrite pderiv_rate X_deriv_pbez !pbez_scale pbez_add pbez_inj //.
+pose S i := (i.+1%:R * s) *: tau i; pose T i := (n - i)%:R *: p i.+1 + i.+1%:R *: p i - n.+1%:R *: p 0%N.
+have T0 : T 0%N = n%:R *: (p 1%N - p 0%N).
+  by apply/rowP=> k; rewrite /T subn0 -[n.+1]addn1 natrD !mxE; move: (p 1%N 0 k) (p 0%N 0 k) (n%:R) => p1 p0 j; ring.
+have Tr i : (i < n)%N -> T i.+1 - T i = rate n p i.+1.
+  move=> lt_i; rewrite /T /rate /prev /= (_ : (n - i)%:R = (n - i.+1)%:R + 1); last by rewrite -subnSK // -addn1 natrD.
+  have -> : i.+2%:R = i.+1%:R + 1 :> F by rewrite -[i.+2]addn1 natrD.
+  apply/rowP=> k; rewrite !mxE.
+  by move: (p i.+2 0 k) (p i.+1 0 k) (p i 0 k) (p 0%N 0 k) (i.+1%:R) ((n - i.+1)%:R) (n.+1%:R) => p3 p2 p1 p0 j l q; ring.
+have Sr i : s *: tau i + s *: (i%:R *: (tau i - prev tau i)) = S i - (if i is j.+1 then S j else 0).
+  case: i => [|i]; rewrite /S /prev; first by rewrite subr0 scale0r scaler0 addr0 mul1r.
+  by apply/rowP=> k; rewrite -[i.+2]addn1 natrD !mxE; move: (tau i.+1 0 k) (tau i 0 k) (i.+1%:R) => x y j; ring.
+split=> e.
+  elim=> [|i ih] lt_i; have := e _ lt_i; rewrite Sr.
+    by rewrite subr0 -/(S 0%N) -/(T 0%N) T0 /rate subn0 scale0r addr0.
+  have hs : S i = T i by apply: ih; exact: ltnW.
+  by move=> h; rewrite -/(S i.+1) -/(T i.+1) -[S i.+1](subrK (S i)) -h -Tr // hs subrK.
+have hs i : (i <= n)%N -> S i = T i by move=> le_i; apply: e.
+case=> [|i] lt_i; rewrite Sr hs //; first by rewrite subr0 T0 /rate subn0 scale0r addr0.
+by rewrite hs ?Tr // ltnW.
+Qed.
+
+(** ZW06.20 unique: $a'=a\tau+b\tau'$ with $a=n(1-s)/(\rho-1)$, $b=(1-u+su)/(\rho-1)$, here without the denominator, iff
+    $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$ (Aumann), that is $\tau_{i+1}=(\rho-1)\Delta p_i+s\tau_i$.
+    Hypotheses: characteristic 0 or beyond the degree.
+    Paper: excludes $\rho=1$, where the equation speaks of $\tau$ alone. *)
+Theorem ZW06_20_unique n p tau rho s : good F n ->
+  (rho - 1)%:P *: pderiv (pbez n p) =
+    (n%:R * (1 - s))%:P *: pbez n tau + ((1 - 'X) *: pderiv (pbez n tau) + s%:P *: ('X *: pderiv (pbez n tau))) <->
+  forall i, (i < n)%N -> tau i.+1 = (rho - 1) *: (p i.+1 - p i) + s *: tau i.
+Proof.
+move=> g; have [nz _] := g; rewrite pderiv_rate X_deriv_pbez Y_deriv_pbez !pbez_scale !pbez_add pbez_inj //.
+pose e i := (rho - 1) *: (p i.+1 - p i) + s *: tau i - tau i.+1.
+have eqi i : (i <= n)%N -> (rho - 1) *: rate n p i = (n%:R * (1 - s)) *: tau i + ((n - i)%:R *: (tau i.+1 - tau i) + s *: (i%:R *: (tau i - prev tau i)))
+    <-> 0 = (n - i)%:R *: e i + i%:R *: (if i is j.+1 then e j else 0).
+  move=> le_i; apply: eq_of_diff; rewrite /rate /e /prev -{2}(subnK le_i) natrD; case: i {le_i} => [|i] /=.
+    by apply/rowP=> k; rewrite subn0 !mxE; move: (p 1%N 0 k) (p 0%N 0 k) (tau 1%N 0 k) (tau 0%N 0 k) (n%:R) => p1 p0 x1 x0 j; ring.
+  apply/rowP=> k; rewrite !mxE; move: (p i.+2 0 k) (p i.+1 0 k) (p i 0 k) (tau i.+2 0 k) (tau i.+1 0 k) (tau i 0 k) (i.+1%:R) ((n - i.+1)%:R).
+  by move=> p2 p1 p0 x2 x1 x0 j l; ring.
+have zero : (forall i, (i <= n)%N -> 0 = (n - i)%:R *: e i + i%:R *: (if i is j.+1 then e j else 0)) <-> forall i, (i < n)%N -> e i = 0.
+  split=> h; last first.
+    case=> [|i] le_i; last by rewrite (h i) // scaler0 addr0; have [/h ->|le_n] := ltnP i.+1 n; [rewrite scaler0|rewrite (_ : n - i.+1 = 0)%N ?scale0r //; lia].
+    by rewrite scale0r addr0; case: (n) le_i h => [|k] _ h; [rewrite scale0r|rewrite h ?scaler0].
+  elim=> [|i ih] lt_i; have := h _ (ltnW lt_i).
+    by rewrite scale0r addr0 => /esym/eqP; rewrite scaler_eq0 (negPf (nz _ _)) => [/eqP|]; last by lia.
+  by rewrite ih 1?ltnW // scaler0 addr0 => /esym/eqP; rewrite scaler_eq0 (negPf (nz _ _)) => [/eqP|]; last by lia.
+rewrite (_ : (forall i, _ -> (rho - 1) *: rate n p i = _) <-> (forall i, (i <= n)%N -> 0 = (n - i)%:R *: e i + i%:R *: (if i is j.+1 then e j else 0))); last first.
+  by split=> h i le_i; [apply/eqi/h | apply/(eqi _ le_i)/h].
+rewrite zero; split=> h i /h; rewrite /e; first by move/eqP; rewrite subr_eq0 => /eqP ->.
+by move=> ->; rewrite subrr.
+Qed.
+
+Definition mean_step p i : 'rV[F]_m := (i.+1 * i.+2)%:R^-1 *: \sum_(0 <= j < i.+1) j.+1%:R *: (p j.+1 - p j).
+
+Lemma mean_stepS p i : (forall j, j.+1%:R != 0 :> F) ->
+  i.+2%:R *: mean_step p i = (if i is j.+1 then i%:R *: mean_step p j else 0) + (p i.+1 - p i).
+Proof.
+move=> nz; rewrite /mean_step big_nat_recr //= natrM; case: i => [|i].
+  by rewrite big_geq // add0r scale1r mul1r scalerA mulfV ?nz // scale1r add0r.
+rewrite natrM; set T := \sum_(0 <= j < i.+1) _; apply/rowP=> k; rewrite !mxE; move: (nz i) (nz i.+1) (nz i.+2).
+move: (T 0 k) (p i.+2 0 k) (p i.+1 0 k) => t p2 p1.
+have -> : i.+3%:R = i.+1%:R + 2 :> F by rewrite -addn2 natrD.
+have -> : i.+2%:R = i.+1%:R + 1 :> F by rewrite -addn1 natrD.
+by move: (i.+1%:R) => j n1 n2 n3; field; rewrite n1 n2 n3.
+Qed.
+
+(** ZW06.16 closed: $\tau_i=(n-i)A_i+iA_{i-1}$ with $A_i=\frac1{(i+1)(i+2)}\sum_{j\le i}(j+1)\Delta p_j$ solves $a'=2\tau+u\tau'$.
+    Hypotheses: characteristic 0. *)
+Theorem ZW06_16_closed n p : good F n -> (forall i, i.+1%:R != 0 :> F) ->
+  let tau := fun i => (n - i)%:R *: mean_step p i + i%:R *: mean_step p i.-1 in
+  pderiv (pbez n p) = 2%:R%:P *: pbez n tau + 'X *: pderiv (pbez n tau).
+Proof.
+move=> g nz tau; apply/ZW06_16_recursion => // i le_i.
+have step j := mean_stepS p j nz.
+rewrite /rate /prev /tau; case: i le_i => [|i] lt_i /=.
+  have := step 0%N; rewrite add0r => <-; rewrite subn0 !scale0r !addr0.
+  by move: (mean_step p 0%N) => A; rewrite add0n !scalerA mulrC.
+have := step i.+1; have := step i; rewrite /=.
+move: (mean_step p i.+1) (mean_step p i) => x y e1 e2.
+have -> : p i.+2 - p i.+1 = i.+3%:R *: x - i.+1%:R *: y by rewrite e2 addrAC subrr add0r.
+have -> : p i.+1 - p i = i.+2%:R *: y - (if i is j.+1 then i%:R *: mean_step p j else 0) by rewrite e1 addrAC subrr add0r.
+rewrite (_ : (if i is j.+1 then i%:R *: mean_step p j else 0) = i%:R *: mean_step p i.-1); last by case: (i) => [|j] //; rewrite scale0r.
+rewrite (_ : (n - i)%:R = (n - i.+1)%:R + 1 :> F); last by rewrite -subnSK // -addn1 natrD.
+move: (mean_step p i.-1) ((n - i.+1)%:R) => z k; rewrite addn2 -!(addn1 _.+1) -!(addn1 i) !natrD.
+by apply/rowP=> q; rewrite !mxE; move: (x 0 q) (y 0 q) (z 0 q) (i%:R) => x1 y1 z1 j; ring.
+Qed.
+
+End Nets.
