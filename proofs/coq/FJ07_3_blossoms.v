@@ -45,6 +45,25 @@ apply: (blossoms_injective (span_shift sp)) (lt_i : (i <= n)%N) => v sz.
 by have /rowP/(_ k) := rel v (congr1 _ sz); rewrite !mxE /= sz.
 Qed.
 
+Lemma cell_drop u n L M c d k i : cell (drop_ k u) n L M (drop_ k c) (drop_ k d) i <-> cell u n L M c d (k + i).
+Proof. by rewrite /cell /drop_ addnA addnS. Qed.
+
+(** FJ07.C2 spans: the relation of Theorem 1 holds on every piece of $N$ that is not empty iff equation (13) holds for $i=0..L-1$, $L=n+N-1$.
+    Hypotheses: every cell belongs to a piece that is not empty, as when no knot is more than $n$-fold and the first and
+    the last piece are not empty; this serves the direction from blossoms to (13) only.
+    Paper: does not state it. *)
+Theorem FJ07_C2_spans u n L M c d N :
+  (forall i, (i < n + N.-1)%N -> exists k, [/\ (k < N)%N, (k <= i < k + n)%N & span n (drop_ k u)]) ->
+  (forall k, (k < N)%N -> span n (drop_ k u) -> related (drop_ k u) n L M (drop_ k c) (drop_ k d)) <->
+  (forall i, (i < n + N.-1)%N -> cell u n L M c d i).
+Proof.
+move=> cover; split=> [rel i lt_i | cells k lt_k sp].
+  have [k [lt_k le_k sp]] := cover i lt_i.
+  have := iffLR (FJ07_T1_piece L M (drop_ k c) (drop_ k d) sp) (rel k lt_k sp) (i - k)%N.
+  by rewrite cell_drop subnKC; [apply; lia | lia].
+by apply: (iffRL (FJ07_T1_piece L M _ _ sp)) => i lt_i; apply/cell_drop; apply: cells; lia.
+Qed.
+
 (** FJ07.9 curve: on a piece $c+\frac{\Lambda^{*}-t}{n}c'=d+\frac{M^{*}-t}{n}d'$ (here $c'/n$ is the blossom with one direction, so that
     the characteristic of the field does not matter).
     Hypotheses: the knots carry the piece. *)

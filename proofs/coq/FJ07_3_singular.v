@@ -1,0 +1,45 @@
+(* FJ07, section 3, singular points: Corollary 3 in its true form, over an ordered field. *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Points FJ21_4.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import Order.Theory GRing.Theory Num.Theory.
+Local Open Scope ring_scope.
+
+(** FJ07.C3 velocity: with $W=d-c$: $(M^{*}-t)\,b_t(t,v)=\{(1-v)(M^{*}-t)+v(\Lambda^{*}-t)\}\,c'(t)-nv\,W(t)$.
+    Hypotheses: $n\ne0$ in the field. *)
+Theorem FJ07_C3_velocity (F : fieldType) m n (c d : 'rV[{poly F}]_m) t L M v : n%:R != 0 :> F -> related_at n c d t L M 1 ->
+  (M - t) *: ((1 - v) *: ev (pderiv c) t + v *: ev (pderiv d) t)
+    = ((1 - v) * (M - t) + v * (L - t)) *: ev (pderiv c) t - (n%:R * v) *: (ev d t - ev c t).
+Proof.
+move=> n0 /rowP eq_p; apply/rowP=> k; have := eq_p k; rewrite !mxE.
+move: (c 0 k).[t] (d 0 k).[t] (c 0 k)^`().[t] (d 0 k)^`().[t] n%:R n0 => P Q P' Q' N n0 eq_P.
+by apply: (by_multiple (z := - N * v) eq_P); field.
+Qed.
+
+(** FJ07.C3 regular: where $\Lambda^{*}$ and $M^{*}$ lie on one side of $t$ (which $\Lambda_k,M_k<0$ or $\Lambda_k,M_k>1$ on every piece says) and
+    $c'\times(d-c)\ne0$, the surface is regular on the whole ruling $0\le v\le1$.
+    Hypotheses: an ordered field; $c'(t)\times(d(t)-c(t))\ne0$: the curve is not stationary, the ruling has a length and does
+    not touch the curve.
+    Paper: omits the last, without which the corollary is false. *)
+Theorem FJ07_C3_regular (F : realFieldType) n (c d : 'rV[{poly F}]_3) t L M v : (0 < n)%N -> related_at n c d t L M 1 ->
+  (t < L) && (t < M) || (L < t) && (M < t) -> 0 <= v <= 1 -> cross (ev (pderiv c) t) (ev d t - ev c t) != 0 ->
+  cross ((1 - v) *: ev (pderiv c) t + v *: ev (pderiv d) t) (ev d t - ev c t) != 0.
+Proof.
+move=> n0 rel side /andP[v0 v1] reg; apply: contraNneq reg => sing.
+have nz : n%:R != 0 :> F by rewrite pnatr_eq0 -lt0n.
+pose f := (1 - v) * (M - t) + v * (L - t).
+have f0 : f != 0.
+  rewrite /f; case/orP: side => /andP[l m].
+    have [->|v_gt0] := eqVneq v 0; first by rewrite subr0 mul1r mul0r addr0 subr_eq0 gt_eqF.
+    rewrite gt_eqF // ltr_spaddr ?mulr_ge0 ?mulr_gt0 ?subr_gt0 ?subr_ge0 // ?ltW // lt_def v_gt0 //.
+  have [->|v_gt0] := eqVneq v 0; first by rewrite subr0 mul1r mul0r addr0 subr_eq0 lt_eqF.
+  rewrite lt_eqF // -oppr_gt0 opprD -!mulrN !opprB ltr_spaddr ?mulr_ge0 ?mulr_gt0 ?subr_gt0 ?subr_ge0 // ?ltW // lt_def v_gt0 //.
+have eq_v := FJ07_C3_velocity v nz rel.
+have: (M - t) *: cross ((1 - v) *: ev (pderiv c) t + v *: ev (pderiv d) t) (ev d t - ev c t) = f *: cross (ev (pderiv c) t) (ev d t - ev c t).
+  have lin (s : F) (x y : 'rV[F]_3) : s *: cross x y = cross (s *: x) y by apply: row3P; coordinates; hide_entries; ring.
+  rewrite lin eq_v /f; move: (ev (pderiv c) t) (ev d t - ev c t) => a w.
+  by apply: row3P; coordinates; hide_entries; ring.
+by rewrite sing scaler0 => /esym/eqP; rewrite scaler_eq0 (negPf f0) /= => /eqP ->.
+Qed.

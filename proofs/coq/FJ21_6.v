@@ -1,0 +1,50 @@
+(* FJ21, section 6: the edge of regression. *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points FJ21_4.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Edge.
+Variables (F : fieldType) (m : nat).
+Implicit Types (p q r : 'rV[{poly F}]_m) (t L M s : F) (n : nat).
+
+(** FJ21.6 edge: with $E=\Lambda-t+\sigma(t-M)$, $v=\sigma(t-M)/E$, $\alpha=n\sigma(\Lambda-M)/E^2$, $\beta=n(\sigma-1)/E$:
+    $(1-v)p'+vq'=\alpha(q-p)+\beta((1-v)p+vq)$: at $v$ the surface is singular.
+    Hypotheses: $E\ne0$, and $n\ne0$ in the field.
+    Paper: states neither. *)
+Theorem FJ21_6_edge n p q t L M s (E := L - t + s * (t - M)) (v := s * (t - M) / E) : n%:R != 0 :> F -> E != 0 ->
+  related_at n p q t L M s ->
+  (1 - v) *: ev (pderiv p) t + v *: ev (pderiv q) t
+    = (n%:R * s * (L - M) / E ^+ 2) *: ev (q - p) t + (n%:R * (s - 1) / E) *: ((1 - v) *: ev p t + v *: ev q t).
+Proof.
+rewrite /v /E => n0 e0 /rowP eq_p; apply/rowP=> k; have := eq_p k; rewrite !mxE !hornerD !hornerN.
+move: (p 0 k).[t] (q 0 k).[t] (p 0 k)^`().[t] (q 0 k)^`().[t] n%:R n0 => P Q P' Q' N n0 eq_P.
+by apply: (by_multiple (z := N / (L - t + s * (t - M))) eq_P); field; rewrite n0 e0.
+Qed.
+
+(** FJ21.6.1 degree: for constant $\Lambda,M$ and $\sigma=1$ the edge $r=(1-v)p+vq$, $v=(t-M)/(\Lambda-M)$, is a curve of degree $n+1$.
+    Hypotheses: $p$, $q$ have degree $n$. *)
+Theorem FJ21_6_1_degree n p q L M (v := (L - M)^-1 *: ('X - M%:P) : {poly F}) k :
+  (size (p 0%R k) <= n.+1)%N -> (size (q 0%R k) <= n.+1)%N -> (size ((1 - v) * p 0 k + v * q 0 k)%R <= n.+2)%N.
+Proof.
+move=> sp sq.
+have sv : (size v <= 2)%N by rewrite /v (leq_trans (size_scale_leq _ _)) // size_XsubC.
+have s1 : (size (1 - v)%R <= 2)%N by rewrite (leq_trans (size_add _ _)) // geq_max size_opp sv (leq_trans (size_polyC_leq1 1)).
+by rewrite (leq_trans (size_add _ _)) // geq_max; apply/andP; split; rewrite (leq_trans (size_mul_leq _ _)) //; lia.
+Qed.
+
+(** FJ21.T6.1 tangent: for any curve $r$ the rows $p=r+\frac{M-t}{n+1}r'$, $q=r+\frac{\Lambda-t}{n+1}r'$ obey
+    $p[t^{\langle n-1\rangle},\Lambda]=q[t^{\langle n-1\rangle},M]$ for all $t$.
+    Hypotheses: $n$ and $n+1$ are not 0 in the field. *)
+Theorem FJ21_T6_1_tangent n r L M t : n%:R != 0 :> F -> n.+1%:R != 0 :> F ->
+  related_at n (\row_k (r 0 k + (n.+1%:R^-1 *: (M%:P - 'X)) * (r 0 k)^`())) (\row_k (r 0 k + (n.+1%:R^-1 *: (L%:P - 'X)) * (r 0 k)^`())) t L M 1.
+Proof.
+rewrite natrS => n0 n1; apply/rowP=> k; rewrite !mxE !derivD !derivM !derivZ !derivB !derivC !derivX.
+rewrite !(hornerD, hornerN, hornerM, hornerZ, hornerC, hornerX, horner0).
+move: (r 0 k).[t] (r 0 k)^`().[t] (r 0 k)^`()^`().[t] n%:R n0 n1 => R R' R'' N n0 n1.
+by field; rewrite n0 n1.
+Qed.
+End Edge.
