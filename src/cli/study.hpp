@@ -64,7 +64,7 @@ struct StudySummary {
 StudySummary summary_of(const studies::Task& task, const std::vector<std::string>& records);
 void print_study(const Terminal& terminal, const studies::Task& task, const StudySummary& summary);
 
-/// Medians of `units` in double over each factor that varies, a line for each route.
+/// Medians of `units` in double, or in the first arithmetic, over each factor that varies, a line for each route.
 std::string study_svg(const studies::Task& task, const StudySummary& summary);
 
 /// The section of a page, docs/report.md: a plot for each factor that varies, and a table.

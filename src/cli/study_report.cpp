@@ -246,6 +246,9 @@ std::string study_svg(const Task& task, const StudySummary& summary) {
   constexpr double width = 520;
   constexpr double height = 320;
   constexpr double margin = 70;
+  const auto by_double = std::ranges::find(summary.order, "double", &std::pair<std::string, std::string>::second);
+  const bool has_double = by_double != summary.order.end();
+  const std::string drawn = has_double || summary.order.empty() ? "double" : summary.order.front().second;
   std::string plots;
   double top = margin;
   for (const studies::Variation& variation : task.design.variations) {
@@ -254,6 +257,7 @@ std::string study_svg(const Task& task, const StudySummary& summary) {
     plot.axes(name_of(variation.factor) + " (levels in order)", "median error / u");
     std::size_t colour = 0;
     for (const auto& [route, scalar] : summary.order) {
+      if (scalar != drawn) continue;
       figures::SvgLine line;
       for (std::size_t i = 0; i < variation.levels.size(); ++i) {
         const auto found = summary.levels.find({route, scalar, variation.factor, variation.levels[i]});

@@ -87,6 +87,7 @@ TEST(StudyReport, TheDrawingIsXml) {
   const std::string svg = study_svg(task(), summary_of(task(), records()));
   EXPECT_TRUE(svg.starts_with("<svg "));
   EXPECT_NE(svg.find("FJ07.13.rulings, double"), std::string::npos);
+  EXPECT_EQ(svg.find("FJ07.13.rulings, float"), std::string::npos);  // one arithmetic, to be read
 }
 
 }  // namespace
