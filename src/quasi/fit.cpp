@@ -279,6 +279,7 @@ class Fitter {
     part_equal(beta_, {.at_end = degree + 1, .inside = degree + 1});
     std::vector<double> regular = beta_;
     part_equal(regular, {.at_end = 2, .inside = std::max<std::size_t>(degree, 2)});
+    if (regular == beta_) return;
     const Sampling samples(rails_.c, knots_, sample_parameters());
     const double value = measured(rails_.d, samples, regular, descent_options()) * degrees;
     if (!(value <= as_good * value_ + rounding)) return;
