@@ -94,7 +94,8 @@ TEST_F(Effort, ATinyWarpOfLongNumbersStaysOpen) {
   EXPECT_EQ(result.exit, 3);
   const json surface = json::parse(slurp(out("r.json")))["surfaces"][0];
   EXPECT_EQ(surface["developable"], false);
-  EXPECT_EQ(surface["max_warp_deg"]["hi"], 90);
+  EXPECT_GT(surface["max_warp_deg"]["hi"], 0);
+  EXPECT_LT(surface["max_warp_deg"]["hi"], 1e-60);
 }
 
 TEST_F(Effort, UnrollingAHighDegreeIsRefusedBeforeAnyWork) {
