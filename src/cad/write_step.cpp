@@ -1,6 +1,11 @@
-// STEP (AP214): each surface a B-spline surface of degree (n, 1), one face over all of it.
+// STEP (AP214): each surface a B-spline surface of degree (n, 1), one face over all of it or within its outline.
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
+#include <GCE2d_MakeSegment.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Interface_Static.hxx>
 #include <Precision.hxx>
@@ -15,6 +20,7 @@
 #include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <sstream>
@@ -84,11 +90,36 @@ Handle(Geom_BSplineSurface) surface_of(const CadSheet& sheet) {
   return surface;
 }
 
+/// The sides of the outline as lines in the plane of the parameters. A side of no length is left out.
+TopoDS_Wire wire_of(const CadSheet& sheet, const Handle(Geom_BSplineSurface) & surface) {
+  BRepBuilderAPI_MakeWire wire;
+  for (std::size_t i = 0; i < sheet.outline.size(); ++i) {
+    const std::array<double, 2>& a = sheet.outline[i];
+    const std::array<double, 2>& b = sheet.outline[(i + 1) % sheet.outline.size()];
+    if (a == b) continue;
+    const Handle(Geom2d_TrimmedCurve) side = GCE2d_MakeSegment(gp_Pnt2d(a[0], a[1]), gp_Pnt2d(b[0], b[1]));
+    BRepBuilderAPI_MakeEdge edge(side, surface);
+    if (!edge.IsDone()) throw Unwritable("OpenCASCADE makes no edge of a side of its outline");
+    wire.Add(edge.Edge());
+  }
+  if (!wire.IsDone()) throw Unwritable("OpenCASCADE makes no wire of its outline");
+  return wire.Wire();
+}
+
+TopoDS_Face trimmed_face(const CadSheet& sheet) {
+  const Handle(Geom_BSplineSurface) surface = surface_of(sheet);
+  BRepBuilderAPI_MakeFace face(surface, wire_of(sheet, surface));
+  if (!face.IsDone()) throw Unwritable("OpenCASCADE makes no face within its outline");
+  BRepLib::BuildCurves3d(face.Face());
+  return face.Face();
+}
+
 TopoDS_Face face_of(const CadSheet& sheet) {
   if (sheet.c.degree > most_degree()) {
     throw Unwritable("its degree is " + std::to_string(sheet.c.degree) + "; OpenCASCADE has " +
                      std::to_string(most_degree()) + " at most");
   }
+  if (!sheet.outline.empty()) return trimmed_face(sheet);
   BRepBuilderAPI_MakeFace face(surface_of(sheet), Precision::Confusion());
   if (!face.IsDone()) throw Unwritable("OpenCASCADE makes no face of it");
   return face.Face();

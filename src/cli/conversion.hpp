@@ -5,6 +5,7 @@
 //   convert_to_mesh               OBJ, STL, glTF          convert_to_cad      STEP, IGES
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -54,6 +55,8 @@ struct CadWishes {
   std::optional<Angle> max_warp{};
   /// The file's name, for errors.
   std::string file;
+  /// Bounds every face: CadSheet::outline.
+  std::vector<std::array<double, 2>> outline{};
 };
 
 /// Faces that are ruled as a CAD file. Throws FileError.

@@ -85,6 +85,7 @@ Conversion convert_to_cad(const std::vector<Face>& faces, const CadWishes& wishe
     const WrittenFace written = written_face(face, wishes);
     sheets.sheets.push_back(sheet_of(written.rounded, face.name));
     sheets.sheets.back().developable = flag_of(written);
+    sheets.sheets.back().outline = wishes.outline;
     conversion.lines.push_back(line_of(written, wishes));
     conversion.faces.push_back(json_of(written, wishes));
   }

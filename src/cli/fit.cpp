@@ -121,7 +121,17 @@ LengthUnit unit_of_output(OutputFormat format, const LengthUnit& unit) {
   return is_cad(format) && unit.step_name.empty() ? millimetres() : unit;
 }
 
-std::string bytes_of(const std::string& output, Face face, const InputRails& input) {
+/// The strip between the old ends of extended rails, in the parameters of the surface: along c, back along d.
+std::vector<std::array<double, 2>> outline_of(const std::vector<TrimLine>& trims) {
+  if (trims.empty()) return {};
+  return {{trims[0].c.to_double(), 0},
+          {trims[1].c.to_double(), 0},
+          {trims[1].d.to_double(), 1},
+          {trims[0].d.to_double(), 1}};
+}
+
+std::string bytes_of(const std::string& output, Face face, const InputRails& input,
+                     const std::vector<TrimLine>& trims) {
   const OutputFormat format = output == "-" ? OutputFormat::json : format_of(output);
   if (format == OutputFormat::json) return write_ruled(*face.surface);
   const LengthUnit unit = unit_of_output(format, input.unit);
@@ -129,7 +139,7 @@ std::string bytes_of(const std::string& output, Face face, const InputRails& inp
   if (factor != Rational(1)) face.surface = scaled_surface(*std::move(face.surface), factor);
   if (is_mesh(format)) return convert_to_mesh({face}, format, std::nullopt).bytes;
   const double tolerance = input.tolerance > 0 ? input.tolerance * factor.to_double() : usual_tolerance;
-  return convert_to_cad({face}, {format, unit, tolerance, std::nullopt, printable(output)}).bytes;
+  return convert_to_cad({face}, {format, unit, tolerance, std::nullopt, printable(output), outline_of(trims)}).bytes;
 }
 
 int code_of(const FitCommand& command, const FittedStrip& strip) {
@@ -177,7 +187,7 @@ int fit(const FitCommand& command, const FitWishes& wishes) {
   }();
   const Face face = face_of(command, strip);
   std::vector<std::string> bytes;
-  for (const std::string& output : command.outputs) bytes.push_back(bytes_of(output, face, input));
+  for (const std::string& output : command.outputs) bytes.push_back(bytes_of(output, face, input, strip.trims));
   const std::optional<Unrolled> plate = fitted_plate(command.plates, face, input.unit);
   for (std::size_t i = 0; i < bytes.size(); ++i) write_file(command.outputs[i], bytes[i]);
   if (plate) write_plates(command.plates, *plate);

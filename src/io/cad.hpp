@@ -146,6 +146,9 @@ struct CadSheet {
   CadRail d{};
   /// The developable flag of an IGES ruled surface.
   bool developable = false;
+  /// The corners of a polygon in the plane of the parameters (u, v) that bounds the face, v from 0 on c to 1 on d;
+  /// empty for a face over all of the surface. For STEP.
+  std::vector<std::array<double, 2>> outline{};
 };
 
 /// What a file is made of.
