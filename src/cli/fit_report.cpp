@@ -217,6 +217,7 @@ nlohmann::ordered_json fit_json(const FitTitle& title, const FittedStrip& strip)
     const auto line = [](const TrimLine& trim) { return Json{{"c", trim.c.text()}, {"d", trim.d.text()}}; };
     json["trim"] = {{"begin", line(strip.trims[0])}, {"end", line(strip.trims[1])}};
   }
+  if (strip.seam) json["seam"] = strip.seam->text();
   if (!strip.notes.empty()) json["notes"] = strip.notes;
   json["threshold_deg"] = strip.threshold;
   json["findings"] = findings_json(strip);
@@ -241,6 +242,10 @@ std::string fit_text(const FitTitle& title, const FittedStrip& strip, const Term
   for (const TrimLine& trim : strip.trims) {
     text += fmt::format("  trim along the line from c({:.6g}) to d at the ruling of u = {:.6g}\n", trim.c.to_double(),
                         trim.d.to_double());
+  }
+  if (strip.seam) {
+    text += fmt::format("  both rails are closed: d is taken from u = {:.6g} on, where the ends of c belong\n",
+                        strip.seam->to_double());
   }
   for (const std::string& note : strip.notes) text += "  note: " + note + '\n';
   text += folds_text(strip, terminal) + crossings_text(strip, terminal);

@@ -8,6 +8,7 @@
 
 #include "torse/cli/effort.hpp"
 #include "torse/cli/judge.hpp"
+#include "torse/cli/seam.hpp"
 #include "torse/exact/quasi/simplify.hpp"
 #include "torse/exact/quasi/snap.hpp"
 #include "torse/io/limits.hpp"
@@ -317,6 +318,12 @@ Found best_extended(const RailsFile<Rational>& rails, const FitWishes& wishes) {
   return found;
 }
 
+/// Closed rails with fixed ends may be joined anywhere.
+std::optional<Seam> wanted_seam(const RailsFile<Rational>& rails, const FitWishes& wishes) {
+  const bool free = wishes.method == FitMethod::warp && wishes.options.ends == quasi::Ends::fixed && !wishes.extension;
+  return free && closed_rails(rails) ? best_seam(rails, wishes.options) : std::nullopt;
+}
+
 double degrees_of(const Angle& angle) { return angle.value.to_double() * (angle.radians ? 180 / std::numbers::pi : 1); }
 
 }  // namespace
@@ -328,7 +335,11 @@ quasi::Rails unit_rails(const RailsFile<Rational>& rails) {
 
 FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes) {
   require_size(rails, wishes);
-  Found found = wishes.extension ? best_extended(rails, wishes) : find_mapping(rails, wishes);
+  const auto start = std::chrono::steady_clock::now();
+  const std::optional<Seam> seam = wanted_seam(rails, wishes);
+  const double seam_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Found found = wishes.extension ? best_extended(rails, wishes) : find_mapping(seam ? seam->rails : rails, wishes);
+  found.method.seconds += seam_seconds;
   const double threshold = wishes.max_warp ? degrees_of(*wishes.max_warp) : default_threshold;
   const quasi::Rails old = unit_rails(rails);
   const RailsFile<Rational>& used = found.rails;
@@ -348,6 +359,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .old_rulings = quasi::sampled_rulings(old, same_parameter(), drawn_rulings),
       .rulings = quasi::sampled_rulings(found.unit, sigma, drawn_rulings, found.range),
       .trims = std::move(found.trims),
+      .seam = seam ? std::optional(seam->parameter) : std::nullopt,
       .notes = notes_on(rails),
       .range = found.range,
       .threshold = threshold,

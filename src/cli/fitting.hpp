@@ -91,6 +91,7 @@ struct FittedStrip {
   std::vector<quasi::SampledRuling> old_rulings;  ///< of T = t, for pictures: of size 1, parameters over [0, 1]
   std::vector<quasi::SampledRuling> rulings;      ///< of the mapping
   std::vector<TrimLine> trims;                    ///< of extended rails, at the begin and at the end
+  std::optional<Rational> seam;                   ///< of closed rails, where d begins if not at its own begin
   std::vector<std::string> notes;                 ///< what is unusual about the rails
   quasi::Range range;                             ///< of the surface within the first rail as the fit had it
   double threshold = 0;                           ///< degrees: the warp beyond which `findings` tell why

@@ -1,0 +1,68 @@
+#include "torse/cli/seam.hpp"
+
+#include <algorithm>
+
+#include "torse/cli/fitting.hpp"
+#include "torse/spline/closed.hpp"
+
+namespace torse::cli {
+namespace {
+
+using Row = Vec<Rational, 4>;
+using Curve = Spline<Rational, Row>;
+
+constexpr int first_places = 32;
+constexpr int halvings = 5;
+constexpr int trial_coefficients = 20;
+constexpr double least_gain = 0.99;
+
+Curve curve_of(const CurveFile<Rational>& rail) { return {rail.knots, homogeneous(rail.net)}; }
+
+/// The rails with d from its parameter a + share (b - a) on, 0 <= share < 1.
+RailsFile<Rational> from_share(const RailsFile<Rational>& rails, const Rational& share) {
+  if (share == Rational(0)) return rails;
+  const Curve d = curve_of(rails.d);
+  const Rational& a = d.knots.domain_begin();
+  const Curve moved = rotated(d, Rational(a + share * (d.knots.domain_end() - a)));
+  return {rails.c, {moved.knots, dehomogenize<Rational, 4>(moved.control)}};
+}
+
+/// A place of the seam and the measure of its fit, in degrees.
+struct Trial {
+  Rational share;
+  double value;
+};
+
+Trial trial_at(const RailsFile<Rational>& rails, Rational share, const quasi::FitOptions& options) {
+  if (share < Rational(0)) share += Rational(1);
+  if (!(share < Rational(1))) share -= Rational(1);
+  return {share, quasi::fit_rails(unit_rails(from_share(rails, share)), options).value};
+}
+
+}  // namespace
+
+bool closed_rails(const RailsFile<Rational>& rails) { return closed(curve_of(rails.c)) && closed(curve_of(rails.d)); }
+
+std::optional<Seam> best_seam(const RailsFile<Rational>& rails, quasi::FitOptions options) {
+  options.coefficients = std::max(options.degree + 1, std::min(options.coefficients, trial_coefficients));
+  options.adaptive = false;
+  const Trial own = trial_at(rails, Rational(0), options);
+  Trial best = own;
+  const auto attempt = [&](const Rational& share) {
+    const Trial trial = trial_at(rails, share, options);
+    if (trial.value < best.value) best = trial;
+  };
+  for (int i = 1; i < first_places; ++i) attempt(ratio<Rational>(i, first_places));
+  Rational step = ratio<Rational>(1, first_places);
+  for (int i = 0; i < halvings; ++i) {
+    step = step / Rational(2);
+    const Rational middle = best.share;
+    attempt(middle - step);
+    attempt(middle + step);
+  }
+  if (!(best.value < least_gain * own.value)) return std::nullopt;
+  const KnotList<Rational>& u = rails.d.knots;
+  return Seam{u.domain_begin() + best.share * (u.domain_end() - u.domain_begin()), from_share(rails, best.share)};
+}
+
+}  // namespace torse::cli

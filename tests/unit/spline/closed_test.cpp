@@ -1,0 +1,65 @@
+// Closed curves begin anywhere.
+#include <gtest/gtest.h>
+
+#include "torse/exact/rational/rational.hpp"
+#include "torse/spline/closed.hpp"
+
+namespace torse {
+namespace {
+
+using Row = Vec<Rational, 4>;
+using Curve = Spline<Rational, Row>;
+
+Rational q(int p, int r = 1) { return ratio<Rational>(p, r); }
+
+Row row(const Rational& w, const Rational& x, const Rational& y, const Rational& z) {
+  Row result;
+  result << w, w * x, w * y, w * z;
+  return result;
+}
+
+/// A loop whose row has another weight at its end than at its begin.
+Curve loop() {
+  return Curve(KnotList<Rational>(2, {q(1), q(1), q(2), q(4), q(4)}),
+               {row(q(1), q(0), q(0), q(1)), row(q(2), q(3), q(0), q(0)), row(q(1), q(2), q(5), q(1, 3)),
+                row(q(3), q(0), q(0), q(1))});
+}
+
+Vec<Rational, 3> point(const Curve& curve, const Rational& t) {
+  for (int k : curve.knots.proper_pieces()) {
+    if (t <= curve.knots.piece_end(k)) {
+      const Row p = curve_point(curve.knots, curve.points(), k, t);
+      return p.tail<3>() / p[0];
+    }
+  }
+  throw InvalidInput("t", "outside");
+}
+
+TEST(Closed, TellsLoopsFromOthers) {
+  EXPECT_TRUE(closed(loop()));
+  Curve open = loop();
+  open.control.back() = row(q(3), q(0), q(0), q(2));
+  EXPECT_FALSE(closed(open));
+}
+
+TEST(Closed, RotatedRunsThroughTheSamePoints) {
+  const Curve curve = loop();
+  for (const Rational& begin : {q(3, 2), q(2), q(7, 2)}) {
+    const Curve moved = rotated(curve, begin);
+    EXPECT_EQ(moved.knots.domain_begin(), begin);
+    EXPECT_EQ(moved.knots.domain_end(), begin + q(3));
+    EXPECT_TRUE(closed(moved));
+    for (int i = 0; i <= 12; ++i) {
+      const Rational t = begin + q(i, 4);
+      EXPECT_EQ(point(moved, t), point(curve, t <= q(4) ? t : t - q(3))) << begin.text() << " " << t.text();
+    }
+  }
+}
+
+TEST(Closed, RotatedNeedsAParameterInside) {
+  EXPECT_THROW(rotated(loop(), q(1)), InvalidInput);
+  EXPECT_THROW(rotated(loop(), q(4)), InvalidInput);
+}
+
+}  // namespace
+}  // namespace torse
