@@ -1,5 +1,5 @@
 # A guide for Doxygen, which names headings in its own way: links to a heading of another page become links to the page,
-# those to a heading of the same page become text.
+# those to a heading of the same page become text. LaTeX between dollars becomes code: a page needs no network to show it.
 {
   while (match($0, /\]\([a-z0-9\/._-]+\.md#[^)]*\)/)) {
     link = substr($0, RSTART, RLENGTH)
@@ -11,5 +11,6 @@
     sub(/\]\(#.*/, "", link)
     $0 = substr($0, 1, RSTART - 1) link substr($0, RSTART + RLENGTH)
   }
+  if ($0 !~ /`/ && split($0, parts, "$") % 2) gsub(/\$/, "``")
   print
 }
