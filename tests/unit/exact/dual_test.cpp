@@ -29,12 +29,14 @@ TEST(Dual, ByHand) {
 
 TEST(Dual, OperandsMayBeTheResult) {
   D x = D::variable(Q(3), 0);
-  x *= x;
+  const D& also_x = x;
+  x *= also_x;
   EXPECT_EQ(x.derivative(0), Q(6));
-  x -= x;
+  x -= also_x;
   EXPECT_EQ(x.derivative(0), Q(0));
   D y = D::variable(Q(5), 0);
-  y /= y;
+  const D& also_y = y;
+  y /= also_y;
   EXPECT_EQ(y.value(), Q(1));
   EXPECT_EQ(y.derivative(0), Q(0));
   EXPECT_THROW(y / D(0), DivisionByZero);
