@@ -11,7 +11,6 @@
 #include "torse/cli/command.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/cli/version.hpp"
-#include "torse/cli/viewer.hpp"
 #include "torse/io/document.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
@@ -104,8 +103,8 @@ void add_html_option(CLI::App& app, HtmlOption& option) {
       ->type_name("PATH");
 }
 
-void require_viewer(const HtmlOption& option) {
-  if (option.wanted() && viewer().empty()) {
+void require_viewer(const HtmlOption& option, std::string_view page) {
+  if (option.wanted() && page.empty()) {
     throw UsageError("--html: this program was built without the viewer; ./x web builds it and the program with it");
   }
 }

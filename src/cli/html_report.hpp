@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "torse/cli/viewer.hpp"
+
 namespace torse::cli {
 
 /// Where the page goes; an empty path asks for none. The subcommand tells which command makes the page again.
@@ -24,8 +26,8 @@ struct HtmlOption {
 /// Adds --html to a subcommand. Both must live until the page is written.
 void add_html_option(CLI::App& app, HtmlOption& option);
 
-/// Throws UsageError where a page is wanted that this program cannot make.
-void require_viewer(const HtmlOption& option);
+/// Throws UsageError where a page is wanted and there is no viewer to put it into: the program was built without.
+void require_viewer(const HtmlOption& option, std::string_view page = viewer());
 
 /// Writes the page if it is wanted: into the file where the path ends in .html, otherwise as index.html into that
 /// folder, which is made. `sections` is an array of objects with "kind", docs/report.md. Throws FileError.

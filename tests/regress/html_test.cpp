@@ -18,14 +18,6 @@ class Html : public ::testing::Test {
   Scratch scratch_;
 };
 
-TEST(HtmlWithoutViewer, IsOneErrorBeforeAnyWork) {
-  if (!cli::viewer().empty()) GTEST_SKIP() << "built with the viewer";
-  const ProgramResult result = run_program({"verify", "--html", "page.html"});
-  EXPECT_EQ(result.exit, 2);
-  EXPECT_EQ(result.out, "");
-  EXPECT_NE(result.err.find("./x web"), std::string::npos) << result.err;
-}
-
 TEST_F(Html, GoesIntoAFile) {
   const std::string file = scratch_ / "page.html";
   const ProgramResult result = run_program({"example", "--html", file});

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "torse/cli/viewer.hpp"
+#include "torse/cli/command.hpp"
 #include "torse/scalar/errors.hpp"
 
 namespace torse::cli {
@@ -73,6 +73,12 @@ TEST(HtmlPage, CutsBetweenCharacters) {
 }
 
 TEST(HtmlPage, NeedsAPlaceForTheReport) { EXPECT_THROW(html_page("<body></body>", report_of({})), Error); }
+
+TEST(Viewer, IsRequiredOnlyWhereAPageIsWanted) {
+  EXPECT_THROW(require_viewer({.path = "page.html"}, ""), UsageError);
+  EXPECT_NO_THROW(require_viewer({}, ""));
+  EXPECT_NO_THROW(require_viewer({.path = "page.html"}, small_viewer));
+}
 
 TEST(Viewer, HasOnePlaceForTheReport) {
   if (viewer().empty()) GTEST_SKIP() << "built without the viewer";
