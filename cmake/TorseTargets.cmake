@@ -9,6 +9,7 @@
 #   torse_tests(TARGET FOLDER LINK ...)        one GoogleTest program of FOLDER/**/*.cpp, each test known to ctest
 #   torse_fuzz_targets(FOLDER CORPUS LINK ...) one program for each file, on which ctest runs its corpus; with libFuzzer 2 seconds more
 #   torse_benchmarks(FOLDER LINK ...)          one program for each file
+#   torse_comparison(TARGET FOLDER LINK ...)   a program that only ./x coq builds
 #   torse_peer(BENCHMARK NAME)                 a library to compare with, where it is found
 
 function(torse_link_headers base)
@@ -40,7 +41,7 @@ endfunction()
 function(torse_library target folder)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" LINK)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${folder}/*.cpp")
-  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$|/fuzz/targets/")
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$|/fuzz/targets/|/coq/compare/")
   string(REPLACE "torse_" "" name ${target})
   if(sources)
     add_library(${target} STATIC ${sources})
@@ -170,6 +171,15 @@ function(torse_benchmarks folder)
                                                    RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bench")
     torse_options(bench_${stem})
   endforeach()
+endfunction()
+
+function(torse_comparison target folder)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" LINK)
+  file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
+  add_executable(${target} EXCLUDE_FROM_ALL ${sources})
+  target_link_libraries(${target} PRIVATE ${arg_LINK})
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+  torse_options(${target})
 endfunction()
 
 # A peer that a benchmark runs beside torse where it is installed; the benchmark says which ones are missing.

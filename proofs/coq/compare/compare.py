@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Runs the programs extracted from the compiled theory in build/coq beside the C++ library, on the same problems, and compares the answers as text:
+fractions in lowest terms, or the error.
+
+usage: compare.py LIBRARY [--count N] [--seed S]     LIBRARY is the program of the CMake target coq_compare; N problems of each class of each function
+
+Fails where an answer differs, and where a class of inputs did not do what it is there for.
+"""
+import argparse
+import collections
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import problems
+
+here = pathlib.Path(__file__).resolve().parent
+root = here.parent.parent.parent
+build = root / "build" / "coq" / "compare"
+
+
+def run(arguments, **options):
+    done = subprocess.run(arguments, cwd=build, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=600, **options)
+    if done.returncode != 0:
+        sys.exit(f"{done.stdout[-6000:]}\n{' '.join(map(str, arguments[:3]))}: exit code {done.returncode}")
+    return done.stdout
+
+
+def extracted():
+    """The OCaml program, made of the compiled theory."""
+    build.mkdir(parents=True, exist_ok=True)
+    for name in ("Extraction.v", "main.ml"):
+        shutil.copyfile(here / name, build / name)
+    said = run(["coqc", "-q", "-w", "none", "-R", "..", "Torse", "Extraction.v"])
+    text = (build / "programs.ml").read_text()
+    if "axiom" in said.lower() or "Obj.magic" in text or "failwith" in text:
+        sys.exit(f"{said}programs.ml: an axiom or a cast")
+    run(["ocamlfind", "ocamlopt", "-package", "zarith", "-linkpkg", "programs.mli", "programs.ml", "main.ml", "-o", "programs"])
+    return build / "programs"
+
+
+def answers(program, lines):
+    found = run([program], input="".join(line + "\n" for line in lines)).splitlines()
+    if len(found) != len(lines):
+        sys.exit(f"{program}: {len(found)} answers to {len(lines)} problems")
+    return found
+
+
+def table(title, rows):
+    print(f"{title:20} {'inputs':>8} {'errors':>8} {'different':>10}")
+    for name, (inputs, errors, different) in rows.items():
+        print(f"{name:20} {inputs:8} {errors:8} {different:10}")
+    print()
+
+
+def vacuous(rows):
+    """The classes that did not do what they are there for, the functions that only one kind of answer came from, by name."""
+    for name, (inputs, errors, _) in rows.items():
+        if inputs == 0 or errors == inputs and name not in problems.all_errors or errors == 0 and name in problems.with_errors | problems.all_errors:
+            yield f"{name}: {inputs} inputs, {errors} errors"
+        elif errors < inputs and name in problems.all_errors:
+            yield f"{name}: {inputs - errors} inputs without an error"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("library", type=pathlib.Path)
+    parser.add_argument("--count", type=int, default=60)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    drawn = list(problems.problems(options.seed, options.count))
+    lines = [line for _, _, line in drawn]
+    by_coq, by_library = answers(extracted(), lines), answers(options.library.resolve(), lines)
+    functions, classes, different = collections.defaultdict(lambda: [0, 0, 0]), collections.defaultdict(lambda: [0, 0, 0]), []
+    for (name, kind, line), coq, library in zip(drawn, by_coq, by_library):
+        for row in (functions[name], classes[kind]):
+            row[0] += 1
+            row[1] += coq.startswith("error")
+            row[2] += coq != library
+        if coq != library:
+            different.append(f"{line}\n  Coq  {coq}\n  C++  {library}")
+    table("function", functions)
+    table("class", classes)
+    bad = [f"vacuous: {text}" for text in [*vacuous(functions), *vacuous(classes)]]
+    print("\n".join(different[:5] + bad))
+    print(f"{len(lines)} answers of {len(functions)} functions compared with the library, {sum(row[1] for row in functions.values())} of them errors: "
+          f"{len(different)} differ")
+    sys.exit(1 if different or bad else 0)
+
+
+main()

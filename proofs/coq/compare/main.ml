@@ -1,0 +1,70 @@
+(* Reads a problem a line, `NAME KEY=VALUE ...`, and prints the answer that the program NAME extracted from proofs/coq gives over the rational
+   numbers of Zarith: its fractions, or `error` and what is wrong. Numbers in a list are separated by commas, points by semicolons. *)
+open Programs
+
+let field = {
+  zero = Q.zero; one = Q.one; sadd = Q.add; ssub = Q.sub; smul = Q.mul; same = Q.equal; less = Q.lt;
+  sinv = fun x -> if Q.sign x = 0 then Q.zero else Q.inv x }
+
+(* Points are lists of coordinates. *)
+let space dimension = {
+  origin = List.init dimension (fun _ -> Q.zero); padd = List.map2 Q.add; psub = List.map2 Q.sub; pscale = fun a -> List.map (Q.mul a) }
+
+let pieces separator text = if text = "" then [] else String.split_on_char separator text
+
+let member problem key =
+  match List.assoc_opt key problem with
+  | Some text -> text
+  | None -> failwith ("no " ^ key)
+
+let integer problem key = int_of_string (member problem key)
+let number problem key = Q.of_string (member problem key)
+let list_of text = List.map Q.of_string (pieces ',' text)
+let numbers problem key = list_of (member problem key)
+let points problem key = List.map list_of (pieces ';' (member problem key))
+let point problem key = list_of (member problem key)
+let pairs problem key = List.map (function [a; w] -> (a, w) | _ -> failwith key) (points problem key)
+let dimension problem = match points problem "c" with p :: _ -> List.length p | [] -> 3
+
+let reason = function
+  | Division -> "division" | Degree -> "degree" | Knots -> "knots" | Knot i -> Printf.sprintf "knots[%d]" i | Vertices -> "points"
+  | At_knot -> "M" | Vertex -> "k" | Cell i -> Printf.sprintf "cell[%d]" i | Sigma -> "sigma" | Outside -> "t" | Lambda -> "Lambda"
+  | Weight i -> Printf.sprintf "weights[%d]" i | Rho -> "rho" | Factor -> "s" | Alpha -> "alpha"
+
+let answer numbers = function
+  | Value a -> String.concat " " (List.map Q.to_string (numbers a))
+  | Fails why -> "error " ^ reason why
+
+let of_point = answer Fun.id
+let of_points = answer List.concat
+
+(* The keys of a spline, a row over it and what (13) asks for, applied to a program. *)
+let spline program p = program field (space (dimension p)) (integer p "n") (numbers p "u") (points p "c")
+let row program p = spline program p (number p "L") (number p "M")
+
+let programs = [
+  "knots", (fun p -> answer (fun () -> []) (knot_list field (integer p "n") (numbers p "u") (Value ())));
+  "blossom", (fun p -> of_point (spline blossom_program p (integer p "k") (pairs p "v")));
+  "point", (fun p -> of_point (spline point_program p (integer p "k") (number p "t")));
+  "derivative", (fun p -> of_point (spline derivative_program p (integer p "k") (number p "t")));
+  "net", (fun p -> of_points (row net_program p 0 (point p "d")));
+  "net_from", (fun p -> of_points (row net_program p (integer p "i") (point p "d")));
+  "printed_net", (fun p -> of_points (row net_program p (integer p "i") (point p "d")));
+  "eq14", (fun p -> of_point (row closed14_program p (point p "d") (integer p "i")));
+  "eq15", (fun p -> of_point (row closed15_program p (point p "d") (integer p "i")));
+  "eq16", (fun p -> of_point (row closed16_program p (point p "d") (integer p "i")));
+]
+
+let solve line =
+  match pieces ' ' line with
+  | name :: members ->
+    let split text = let i = String.index text '=' in (String.sub text 0 i, String.sub text (i + 1) (String.length text - i - 1)) in
+    List.assoc name programs (List.map split members)
+  | [] -> failwith "an empty line"
+
+let () =
+  try
+    while true do
+      print_endline (solve (input_line stdin))
+    done
+  with End_of_file -> ()
