@@ -45,6 +45,12 @@ Qed.
 Lemma within_shift n u t : within n.+1 u t -> within n (shift u) t.
 Proof. by case=> lo hi; split=> i h; [apply: lo; lia | apply: hi; lia]. Qed.
 
+Lemma within_span n u s t : s < t -> within n u s -> within n u t -> span n u.
+Proof.
+move=> lt_st [lo _] [_ hi] i j lt_i /andP[le_j le_ij]; rewrite unitfE subr_eq0 gt_eqF //.
+by apply: le_lt_trans (lo i lt_i) (lt_le_trans lt_st (hi j _)); lia.
+Qed.
+
 Lemma blossom_ge0 u b (v : seq F) : (forall t, t \in v -> within (size v) u t) ->
   (forall i, (i <= size v)%N -> 0 <= b i) -> 0 <= blossom u b [seq at_ t | t <- v].
 Proof.
@@ -78,12 +84,14 @@ move=> le_i; apply: slope_ge0 => //; case: inside => lo hi; apply: le_trans (lo 
 Qed.
 
 (** BZZ19.5 monotone: then $\sigma(s)\le\sigma(t)$ for $s\le t$ on the piece, over any ordered field.
-    Hypotheses: the knots carry a piece, $s$ and $t$ lie on it.
+    Hypotheses: $s$ and $t$ lie on the piece (for $s<t$ the knots then carry it).
     Paper: says that monotone coefficients make the surface free of self-intersections; they make $\sigma$ monotone, no more. *)
-Theorem BZZ19_5_monotone n u b s t : span n.+1 u -> within n.+1 u s -> within n.+1 u t -> s <= t ->
+Theorem BZZ19_5_monotone n u b s t : within n.+1 u s -> within n.+1 u t -> s <= t ->
   (forall i, (i <= n)%N -> b i <= b i.+1) -> (curve n.+1 u b).[s] <= (curve n.+1 u b).[t].
 Proof.
-move=> sp in_s in_t le_st up; rewrite !horner_curve //.
+move=> in_s in_t; rewrite le_eqVlt => /orP[/eqP -> //|lt_st] up; have le_st := ltW lt_st.
+have sp : span n.+1 u by apply: within_span in_s in_t.
+rewrite !horner_curve //.
 have nseqS T k (x : T) w : nseq k.+1 x ++ w = nseq k x ++ x :: w by elim: k => //= k ->.
 suff mono k l : (k + l = n.+1)%N -> blossom u b (nseq k (at_ t) ++ nseq l (at_ s)) <= blossom u b (nseq n.+1 (at_ t)).
   exact: (mono 0%N n.+1).
@@ -120,7 +128,7 @@ by move: (x_ x) (y_ x) (z_ x) (x_ y) (y_ y) (z_ y) (x_ z) (y_ z) (z_ z) => *; ri
 Qed.
 
 (** BZZ19.6 condition: the surface is developable iff $\sigma'=0$ or $E_1=0$.
-    Paper: leaves out $\sigma'=0$, where the rulings pass through one point. *)
+    Paper: leaves out $\sigma'=0$: there $\sigma$ is constant in characteristic 0 and the rulings pass through one point. *)
 Theorem BZZ19_6_condition c d sigma : developable c (after d sigma) <->
   sigma^`() = 0 \/ triple (after (pderiv d) sigma) (pderiv c) (after d sigma - c) = 0.
 Proof.

@@ -1,7 +1,8 @@
 (* Bezier curves of points: rows of polynomials.
    Definitions:
      pbez n c       the Bezier curve of degree n with the points c_0, ..., c_n
-     good n         none of 1, ..., n and no binomial coefficient C(n, i) vanishes in the field, as in characteristic 0
+     independent n  no binomial coefficient C(n, i) vanishes in the field: the Bernstein polynomials of degree n are independent
+     good n         n! does not vanish in the field: its characteristic is 0 or greater than n
      step01 n       the knots of a Bezier curve: n zeros, then ones *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves Points Bernstein.
@@ -16,7 +17,23 @@ Variables (F : fieldType) (m : nat).
 Implicit Types (c d : nat -> 'rV[F]_m) (n i : nat) (s : F).
 
 Definition pbez n c : 'rV[{poly F}]_m := \row_k bez n (coord c k).
-Definition good n := (forall i, (0 < i <= n)%N -> i%:R != 0 :> F) /\ (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F).
+Definition independent n := forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F.
+Definition good n := n`!%:R != 0 :> F.
+
+Lemma good_nat n i : good n -> (0 < i <= n)%N -> i%:R != 0 :> F.
+Proof.
+move=> g /andP[i0 le_i]; apply: contraNneq g => e; have /dvdnP[k ->] : (i %| n`!)%N by apply: dvdn_fact; rewrite i0.
+by rewrite natrM e mulr0.
+Qed.
+
+Lemma good_independent n : good n -> independent n.
+Proof. by move=> g i le_i; apply: contraNneq g => e; rewrite -(bin_fact le_i) natrM e mul0r. Qed.
+
+Lemma good_le n k : (k <= n)%N -> good n -> good k.
+Proof.
+move=> le_k g; apply: contraNneq g => e; rewrite -(subnK le_k).
+by elim: (n - k)%N => [|j ih]; [rewrite add0n e | rewrite addSn factS natrM (eqP ih) mulr0].
+Qed.
 
 Lemma pbezP n c k : pbez n c 0 k = bez n (coord c k).
 Proof. by rewrite mxE. Qed.
@@ -24,9 +41,9 @@ Proof. by rewrite mxE. Qed.
 Lemma pbez_ext n c d : (forall i, (i <= n)%N -> c i = d i) -> pbez n c = pbez n d.
 Proof. by move=> e; apply/rowP=> k; rewrite !mxE; apply: bez_ext => i /e; rewrite /coord => ->. Qed.
 
-Lemma pbez_inj n c d : good n -> pbez n c = pbez n d <-> forall i, (i <= n)%N -> c i = d i.
+Lemma pbez_inj n c d : independent n -> pbez n c = pbez n d <-> forall i, (i <= n)%N -> c i = d i.
 Proof.
-case=> _ g; split=> [e i le_i|]; last exact: pbez_ext.
+move=> g; split=> [e i le_i|]; last exact: pbez_ext.
 apply/rowP=> k; have := congr1 (fun x : 'rV__ => x 0 k) e; rewrite !pbezP => /(bez_inj g); exact.
 Qed.
 

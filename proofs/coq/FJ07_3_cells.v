@@ -53,7 +53,7 @@ move/eqP: eq_l; rewrite e subrr eq_sym mulf_eq0 mulf_eq0 invr_eq0 (negPf nd) (ne
 by move/eqP.
 Qed.
 
-(** FJ07.18 cone: $\mu=1$ passes from a cell to the next, and back, and then $l$ is the same in both.
+(** FJ07.18 cone: $\mu=1$ passes from a cell to the next, and back.
     Hypotheses: the denominator of (18) is not 0; $u_{i+n-1}\ne u_{i-1}$. *)
 Theorem FJ07_18_cone a b p q mu : D a b p mu != 0 -> q - b != 0 -> next_mu a b p q mu = 1 <-> mu = 1.
 Proof.
@@ -65,6 +65,11 @@ split=> [e|e]; last first.
 move/eqP: eq_m; rewrite e subrr eq_sym mulf_eq0 mulf_eq0 invr_eq0 (negPf nd) (negPf nq) !orbF subr_eq0.
 by move/eqP.
 Qed.
+
+(** FJ07.18 cone_same: where $\mu=1$ the next cell has the same $l$.
+    Hypotheses: $u_{i+n-2}\ne u_{i-2}$, which is the denominator of (18). *)
+Theorem FJ07_18_cone_same a b p l : p - a != 0 -> next_l a b p l 1 = l.
+Proof. by rewrite /next_l /D => h; field; rewrite (_ : p - b + (b - a) = p - a) //; ring. Qed.
 
 (** FJ07.18 cone_sides: cells with $\mu=1$ have $d_{i+1}-d_i=l(c_{i+1}-c_i)$, equation (6). *)
 Theorem FJ07_18_cone_sides l c d i : bary l 1 c d i <-> d i.+1 - d i = l *: (c i.+1 - c i).

@@ -57,8 +57,8 @@ Lemma pderiv_rate n p : pderiv (pbez n p) = pbez n (rate n p).
 Proof. exact: deriv_pbez. Qed.
 
 (** ZW06.17 unique: $a'=\tau$ ($a=1$, $b=0$) iff $\tau_i=(n-i)\Delta p_i+i\Delta p_{i-1}$.
-    Hypotheses: characteristic 0 or beyond the degree. *)
-Theorem ZW06_17_unique n p tau : good F n ->
+    Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+Theorem ZW06_17_unique n p tau : independent F n ->
   pderiv (pbez n p) = pbez n tau <-> forall i, (i <= n)%N -> tau i = rate n p i.
 Proof.
 move=> g; rewrite pderiv_rate pbez_inj //.
@@ -66,8 +66,8 @@ by split=> e i le_i; rewrite e.
 Qed.
 
 (** ZW06.16 recursion: $a'=2\tau+u\tau'$ iff $(i+2)\tau_i=(n-i)\Delta p_i+i\Delta p_{i-1}+i\tau_{i-1}$.
-    Hypotheses: characteristic 0 or beyond the degree. *)
-Theorem ZW06_16_recursion n p tau : good F n ->
+    Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+Theorem ZW06_16_recursion n p tau : independent F n ->
   pderiv (pbez n p) = 2%:R%:P *: pbez n tau + 'X *: pderiv (pbez n tau) <->
   forall i, (i <= n)%N -> (i + 2)%:R *: tau i = rate n p i + i%:R *: prev tau i.
 Proof.
@@ -79,8 +79,9 @@ by apply: eq_of_diff; apply/rowP=> k; rewrite natrD !mxE;
 Qed.
 
 (** ZW06.18 recursion: $u\,a'=\tau+u\tau'$ ($a=1/u$, $b=1$) iff $q_0=p_0$ and $q_i=p_i+\frac{i}{i+1}(p_i+q_{i-1}-2p_{i-1})$, that is
-    $(i+1)\tau_i=i(\Delta p_{i-1}+\tau_{i-1})$. *)
-Theorem ZW06_18_recursion n p tau : good F n ->
+    $(i+1)\tau_i=i(\Delta p_{i-1}+\tau_{i-1})$.
+    Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+Theorem ZW06_18_recursion n p tau : independent F n ->
   'X *: pderiv (pbez n p) = pbez n tau + 'X *: pderiv (pbez n tau) <->
   forall i, (i <= n)%N -> i.+1%:R *: tau i = i%:R *: (p i - prev p i + prev tau i).
 Proof.
@@ -92,12 +93,12 @@ by apply: eq_of_diff; apply/rowP=> k; rewrite -[i.+1]addn1 natrD !mxE;
 Qed.
 
 (** ZW06.12 unique: $(\rho-1)a'=\tau'$ ($a=0$, $b=1/(\rho-1)$, a cone) iff $q_i=q_0+\rho(p_i-p_0)$.
-    Hypotheses: characteristic 0 or beyond the degree. *)
+    Hypotheses: $n!\ne0$ in the field. *)
 Theorem ZW06_12_unique n p tau rho : good F n ->
   (rho - 1)%:P *: pderiv (pbez n p) = pderiv (pbez n tau) <->
   forall i, (i <= n)%N -> p i + tau i = p 0%N + tau 0%N + rho *: (p i - p 0%N).
 Proof.
-move=> g; have [nz _] := g; rewrite !pderiv_rate pbez_scale pbez_inj //.
+move=> g; have nz i := @good_nat _ n i g; rewrite !pderiv_rate pbez_scale (pbez_inj _ _ (good_independent g)).
 pose h i := tau i - (rho - 1) *: p i; have eh i : (rho - 1) *: rate n p i = rate n tau i <-> rate n h i = 0.
   apply: eq_of_diff; apply/rowP=> k; rewrite /rate /h /prev !mxE;
   move: (p i.+1 0 k) (p i 0 k) (p i.-1 0 k) (tau i.+1 0 k) (tau i 0 k) (tau i.-1 0 k) (i%:R) ((n - i)%:R) => p2 p1 p0 x2 x1 x0 j l; ring.
@@ -107,7 +108,7 @@ have const : (forall i, (i <= n)%N -> rate n h i = 0) <-> forall i, (i <= n)%N -
     rewrite subrr scaler0 addr0; have [lt_i|le_n] := ltnP i n; first by rewrite e // subrr scaler0.
     by rewrite (_ : n - i = 0)%N ?scale0r //; lia.
   elim=> // i ih lt_i; rewrite -ih 1?ltnW //; move: {ih} i lt_i; elim=> [|i ih] lt_i.
-    have := e 0%N isT; rewrite /rate scale0r addr0 subn0 => /eqP; rewrite scaler_eq0 (negPf (nz n _)) ?subr_eq0 /=; last by lia.
+    have := e 0%N isT; rewrite /rate scale0r addr0 subn0 => /eqP; rewrite scaler_eq0 (negPf (nz _ _)) ?subr_eq0 /=; last by lia.
     by move/eqP.
   have := e i.+1 (ltnW lt_i); rewrite /rate /prev /= (ih (ltnW lt_i)) subrr scaler0 addr0 => /eqP.
   by rewrite scaler_eq0 (negPf (nz _ _)) ?subr_eq0 /= => [/eqP|]; last by lia.
@@ -122,8 +123,8 @@ Qed.
 
 (** ZW06.13 unique: $a'=s\tau+su\tau'$ ($a=s$, $b=su$, the cone with vertex $p_0$) iff
     $(i+1)s\tau_i=(n-i)p_{i+1}+(i+1)p_i-(n+1)p_0$; for $i=n$ this is $q_n=p_n+(p_n-p_0)/s$.
-    Hypotheses: characteristic 0 or beyond the degree. *)
-Theorem ZW06_13_unique n p tau s : good F n ->
+    Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+Theorem ZW06_13_unique n p tau s : independent F n ->
   pderiv (pbez n p) = s%:P *: pbez n tau + s%:P *: ('X *: pderiv (pbez n tau)) <->
   forall i, (i <= n)%N -> (i.+1%:R * s) *: tau i = (n - i)%:R *: p i.+1 + i.+1%:R *: p i - n.+1%:R *: p 0%N.
 Proof.
@@ -151,14 +152,14 @@ Qed.
 
 (** ZW06.20 unique: $a'=a\tau+b\tau'$ with $a=n(1-s)/(\rho-1)$, $b=(1-u+su)/(\rho-1)$, here without the denominator, iff
     $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$ (Aumann), that is $\tau_{i+1}=(\rho-1)\Delta p_i+s\tau_i$.
-    Hypotheses: characteristic 0 or beyond the degree.
+    Hypotheses: $n!\ne0$ in the field.
     Paper: excludes $\rho=1$, where the equation speaks of $\tau$ alone. *)
 Theorem ZW06_20_unique n p tau rho s : good F n ->
   (rho - 1)%:P *: pderiv (pbez n p) =
     (n%:R * (1 - s))%:P *: pbez n tau + ((1 - 'X) *: pderiv (pbez n tau) + s%:P *: ('X *: pderiv (pbez n tau))) <->
   forall i, (i < n)%N -> tau i.+1 = (rho - 1) *: (p i.+1 - p i) + s *: tau i.
 Proof.
-move=> g; have [nz _] := g; rewrite pderiv_rate X_deriv_pbez Y_deriv_pbez !pbez_scale !pbez_add pbez_inj //.
+move=> g; have nz i := @good_nat _ n i g; rewrite pderiv_rate X_deriv_pbez Y_deriv_pbez !pbez_scale !pbez_add (pbez_inj _ _ (good_independent g)).
 pose e i := (rho - 1) *: (p i.+1 - p i) + s *: tau i - tau i.+1.
 have eqi i : (i <= n)%N -> (rho - 1) *: rate n p i = (n%:R * (1 - s)) *: tau i + ((n - i)%:R *: (tau i.+1 - tau i) + s *: (i%:R *: (tau i - prev tau i)))
     <-> 0 = (n - i)%:R *: e i + i%:R *: (if i is j.+1 then e j else 0).
@@ -181,12 +182,14 @@ Qed.
 
 Definition mean_step p i : 'rV[F]_m := (i.+1 * i.+2)%:R^-1 *: \sum_(0 <= j < i.+1) j.+1%:R *: (p j.+1 - p j).
 
-Lemma mean_stepS p i : (forall j, j.+1%:R != 0 :> F) ->
-  i.+2%:R *: mean_step p i = (if i is j.+1 then i%:R *: mean_step p j else 0) + (p i.+1 - p i).
+Lemma mean_stepS p i : good F i.+2 ->
+  i.+2%:R *: mean_step p i = i%:R *: mean_step p i.-1 + (p i.+1 - p i).
 Proof.
-move=> nz; rewrite /mean_step big_nat_recr //= natrM; case: i => [|i].
-  by rewrite big_geq // add0r scale1r mul1r scalerA mulfV ?nz // scale1r add0r.
-rewrite natrM; set T := \sum_(0 <= j < i.+1) _; apply/rowP=> k; rewrite !mxE; move: (nz i) (nz i.+1) (nz i.+2).
+move=> g; have nz j : (j < i.+2)%N -> j.+1%:R != 0 :> F by move=> lt_j; apply: (good_nat g).
+rewrite /mean_step big_nat_recr //=; case: i g nz => [|i] g nz; rewrite natrM.
+  by rewrite big_geq // add0r scale1r mul1r scalerA mulfV ?nz // scale1r scale0r add0r.
+rewrite natrM; set T := \sum_(0 <= j < i.+1) _; apply/rowP=> k; rewrite !mxE.
+move: (nz i (leqW (leqW (leqnn _)))) (nz i.+1 (leqW (leqnn _))) (nz i.+2 (leqnn _)).
 move: (T 0 k) (p i.+2 0 k) (p i.+1 0 k) => t p2 p1.
 have -> : i.+3%:R = i.+1%:R + 2 :> F by rewrite -addn2 natrD.
 have -> : i.+2%:R = i.+1%:R + 1 :> F by rewrite -addn1 natrD.
@@ -194,23 +197,23 @@ by move: (i.+1%:R) => j n1 n2 n3; field; rewrite n1 n2 n3.
 Qed.
 
 (** ZW06.16 closed: $\tau_i=(n-i)A_i+iA_{i-1}$ with $A_i=\frac1{(i+1)(i+2)}\sum_{j\le i}(j+1)\Delta p_j$ solves $a'=2\tau+u\tau'$.
-    Hypotheses: characteristic 0. *)
-Theorem ZW06_16_closed n p : good F n -> (forall i, i.+1%:R != 0 :> F) ->
+    Hypotheses: $(n+1)!\ne0$ in the field. *)
+Theorem ZW06_16_closed n p : good F n.+1 ->
   let tau := fun i => (n - i)%:R *: mean_step p i + i%:R *: mean_step p i.-1 in
   pderiv (pbez n p) = 2%:R%:P *: pbez n tau + 'X *: pderiv (pbez n tau).
 Proof.
-move=> g nz tau; apply/ZW06_16_recursion => // i le_i.
-have step j := mean_stepS p j nz.
-rewrite /rate /prev /tau; case: i le_i => [|i] lt_i /=.
-  have := step 0%N; rewrite add0r => <-; rewrite subn0 !scale0r !addr0.
-  by move: (mean_step p 0%N) => A; rewrite add0n !scalerA mulrC.
-have := step i.+1; have := step i; rewrite /=.
-move: (mean_step p i.+1) (mean_step p i) => x y e1 e2.
-have -> : p i.+2 - p i.+1 = i.+3%:R *: x - i.+1%:R *: y by rewrite e2 addrAC subrr add0r.
-have -> : p i.+1 - p i = i.+2%:R *: y - (if i is j.+1 then i%:R *: mean_step p j else 0) by rewrite e1 addrAC subrr add0r.
-rewrite (_ : (if i is j.+1 then i%:R *: mean_step p j else 0) = i%:R *: mean_step p i.-1); last by case: (i) => [|j] //; rewrite scale0r.
+move=> g tau; apply/ZW06_16_recursion => [|i le_i]; first exact: good_independent (good_le (leqnSn n) g).
+have step j : (j < n)%N -> j.+2%:R *: mean_step p j = j%:R *: mean_step p j.-1 + (p j.+1 - p j).
+  by move=> lt_j; apply: mean_stepS; apply: good_le g.
+have last j : (j <= n)%N -> (n - j)%:R *: (p j.+1 - p j) = (n - j)%:R *: (j.+2%:R *: mean_step p j - j%:R *: mean_step p j.-1).
+  rewrite leq_eqVlt => /orP[/eqP ->|/step ->]; first by rewrite subnn !scale0r.
+  by congr (_ *: _); rewrite addrAC subrr add0r.
+rewrite /rate /prev /tau last //; case: i le_i => [|i] lt_i /=.
+  by rewrite !subn0 !mulr0n !scale0r !addr0 !subr0; move: (mean_step p 0) => A; rewrite !scalerA mulrC.
+have -> : p i.+1 - p i = i.+2%:R *: mean_step p i - i%:R *: mean_step p i.-1 by rewrite (step i lt_i) addrAC subrr add0r.
 rewrite (_ : (n - i)%:R = (n - i.+1)%:R + 1 :> F); last by rewrite -subnSK // -addn1 natrD.
-move: (mean_step p i.-1) ((n - i.+1)%:R) => z k; rewrite addn2 -!(addn1 _.+1) -!(addn1 i) !natrD.
+move: (mean_step p i.+1) (mean_step p i) (mean_step p i.-1) ((n - i.+1)%:R) => x y z k.
+rewrite addn2 -!(addn1 _.+1) -!(addn1 i) !natrD.
 by apply/rowP=> q; rewrite !mxE; move: (x 0 q) (y 0 q) (z 0 q) (i%:R) => x1 y1 z1 j; ring.
 Qed.
 

@@ -1,0 +1,205 @@
+(* FJ07: what happens without the hypotheses of the theorems on curves and surfaces, one counterexample each.
+   Definitions:
+     space x y z      a point of space, or a curve of polynomials
+     bent_c, bent_d   two rows over the knots `bent`
+     tangent_side x   the row 3 r + (x - t) r' of the tangent surface of r = (t, t^2, t^3), of degree 2 *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points FJ07_2 FJ07_3_blossoms FJ21_4 FJ07_3_singular Needs_blossoms.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import Order.Theory GRing.Theory Num.Theory.
+Local Open Scope ring_scope.
+
+Section Space.
+Variable R : comUnitRingType.
+Definition space (x y z : R) : 'rV[R]_3 := \row_k nth 0 [:: x; y; z] k.
+
+Lemma spaceE x y z : (x_ (space x y z) = x) * (y_ (space x y z) = y) * (z_ (space x y z) = z).
+Proof. by rewrite /x_ /y_ /z_ /space !mxE. Qed.
+
+Lemma crossE (a b : 'rV[R]_3) : (x_ (cross a b) = y_ a * z_ b - z_ a * y_ b) *
+  (y_ (cross a b) = z_ a * x_ b - x_ a * z_ b) * (z_ (cross a b) = x_ a * y_ b - y_ a * x_ b).
+Proof. by rewrite /cross /x_ /y_ /z_ /vec !mxE. Qed.
+End Space.
+
+Section Curves.
+Variable F : fieldType.
+Implicit Types (c d : 'rV[{poly F}]_3) (t : F).
+
+Lemma ev_space (p q r : {poly F}) t : ev (space p q r) t = space p.[t] q.[t] r.[t].
+Proof. by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE. Qed.
+
+Lemma pderiv_space (p q r : {poly F}) : pderiv (space p q r) = space p^`() q^`() r^`().
+Proof. by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE. Qed.
+End Curves.
+
+Section Bent.
+Variable F : fieldType.
+Notation bent := (bent F).
+Definition bent_c i : 'rV[F]_3 := nth 0 [:: 0; space 0 1 0; space 1 0 0] i.
+Definition bent_d i : 'rV[F]_3 := nth 0 [:: 0; space 1 0 0; space 0 0 1] i.
+
+Lemma bent_related : related bent 2 0 1 bent_c bent_d.
+Proof.
+case=> [|x [|//]] // _; apply/rowP=> k; rewrite !mxE !bent_blossom; congr (_ * _).
+by rewrite subrr subr0 !mul0r !mul1r add0r addr0.
+Qed.
+
+Lemma bent_pcurve (c : nat -> 'rV[F]_3) (f := fun i : 'I_3 => (1 - 'X) * ((c 1%N 0 i)%:P * 'X + (c 2%N 0 i)%:P * (1 - 'X))) :
+  pcurve 2 bent c = \row_i f i.
+Proof. by apply/rowP=> k; rewrite !mxE bent_curve. Qed.
+
+Lemma bent_pvelocity (c : nat -> 'rV[F]_3) (f := fun i : 'I_3 => (1 - 'X) * ((c 1%N 0 i)%:P - (c 2%N 0 i)%:P)) :
+  pvelocity 2 bent c = \row_i f i.
+Proof. by apply/rowP=> k; rewrite !mxE bent_velocity. Qed.
+
+(* The value at 0 of the determinant of rows of polynomials. *)
+Lemma triple_at0 (p q r : 'rV[{poly F}]_3) : (triple p q r).[0] = triple (ev p 0) (ev q 0) (ev r 0).
+Proof.
+rewrite !tripleE !hornerE /x_ /y_ /z_ !mxE.
+by [].
+Qed.
+End Bent.
+
+Section Failures.
+Variable F : fieldType.
+
+Let rows_at0 (C := pcurve 2 (bent F) (bent_c F)) (D := pcurve 2 (bent F) (bent_d F)) :
+  [/\ ev (D - C) 0 = space (-1) 0 1, ev (pderiv C) 0 = space (-1 - 1) 1 0 & ev (pderiv D) 0 = space 1 0 (-1 - 1)].
+Proof.
+rewrite /C /D !bent_pcurve; split; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= ?derivM ?derivB ?derivD ?derivM ?derivX ?derivC;
+  by rewrite ?derivB ?derivC ?derivX !hornerE /=; ring.
+Qed.
+
+(** FJ07.3 needs_span: over such knots the determinant of the four points is 0 at $t=0$, that of the curves is not. *)
+Theorem FJ07_3_needs_span (C := pcurve 2 (bent F) (bent_c F)) (D := pcurve 2 (bent F) (bent_d F)) :
+  triple (pderiv D) (pderiv C) (D - C)
+    <> (2 ^ 2)%:R * triple (pvelocity 2 (bent F) (bent_d F)) (pvelocity 2 (bent F) (bent_c F)) (D - C).
+Proof.
+move/(congr1 (fun p => p.[0])); rewrite hornerM !triple_at0; case: rows_at0 => -> -> ->.
+have -> : ev (pvelocity 2 (bent F) (bent_c F)) 0 = space (-1) 1 0.
+  by rewrite bent_pvelocity; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE /=; ring.
+have -> : ev (pvelocity 2 (bent F) (bent_d F)) 0 = space 1 0 (-1).
+  by rewrite bent_pvelocity; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE /=; ring.
+rewrite !tripleE !spaceE => /eqP; rewrite -subr_eq0 (_ : _ - _ = -1) ?oppr_eq0 ?oner_eq0 //.
+by move: _.[0] => x; ring.
+Qed.
+
+(** FJ07.T1 developable_needs_span: over knots $0,1,0,0$ of degree 2 rows that obey the relation need not span a developable surface. *)
+Theorem FJ07_T1_developable_needs_span :
+  related (bent F) 2 0 1 (bent_c F) (bent_d F) /\ ~ developable (pcurve 2 (bent F) (bent_c F)) (pcurve 2 (bent F) (bent_d F)).
+Proof.
+split; first exact: bent_related.
+move/(congr1 (fun p => p.[0])); rewrite triple_at0; case: rows_at0 => -> -> ->; rewrite horner0 tripleE !spaceE => /eqP.
+by rewrite (_ : _ + _ = -1) ?oppr_eq0 ?oner_eq0 //; ring.
+Qed.
+End Failures.
+
+Section Velocity.
+Variable F : fieldType.
+
+(** FJ07.C3 velocity_needs_degree: where $n=0$ in the field, as for $n=p$ in characteristic $p$, the identity fails for
+    $c=(t)$, $d=(0)$, $\Lambda^{*}=1$, $M^{*}=t=0$, $v=1$. *)
+Theorem FJ07_C3_velocity_needs_degree n (c := const_mx 'X : 'rV[{poly F}]_1) (d := 0 : 'rV[{poly F}]_1) :
+  n%:R = 0 :> F -> related_at n c d 0 1 0 1 /\
+  (0 - 0) *: ((1 - 1) *: ev (pderiv c) 0 + 1 *: ev (pderiv d) 0)
+    <> ((1 - 1) * (0 - 0) + 1 * (1 - 0)) *: ev (pderiv c) 0 - (n%:R * 1) *: (ev d 0 - ev c 0).
+Proof.
+move=> n0; split; first by apply/rowP=> k; rewrite !mxE n0 invr0 !mulr0 !mul0r !hornerE /= ?addr0 ?mulr0.
+move/rowP/(_ 0)/eqP; rewrite !mxE n0 !subrr !mul0r add0r subr0 mul1r subr0 derivX hornerC mulr1.
+by rewrite eq_sym oner_eq0.
+Qed.
+End Velocity.
+
+Section Singular.
+Variable F : fieldType.
+Implicit Types (t v L M : F).
+
+Let related_space n p q r p' q' r' t L M (x := (L - t) / n%:R) (y := (M - t) / n%:R) :
+  p.[t] + x * p^`().[t] = p'.[t] + y * p'^`().[t] -> q.[t] + x * q^`().[t] = q'.[t] + y * q'^`().[t] ->
+  r.[t] + x * r^`().[t] = r'.[t] + y * r'^`().[t] -> related_at n (space p q r) (space p' q' r') t L M 1.
+Proof.
+move=> e0 e1 e2; rewrite /related_at /tangent scale1r !pderiv_space !ev_space.
+by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /=.
+Qed.
+
+Lemma cusp_singular (c := space 'X^2 'X^3 0) (d := space 'X^2 'X^3 (('X + 1) ^+ 3)) : 3%:R != 0 :> F ->
+  (forall t, related_at 3 c d t (-1) (-1) 1) /\
+  forall v, cross ((1 - v) *: ev (pderiv c) 0 + v *: ev (pderiv d) 0) (ev d 0 - ev c 0) = 0.
+Proof.
+rewrite /c /d => n3; split=> [t|v].
+  apply: related_space => //; rewrite deriv_exp derivD derivX !derivC addr0 mul1r !hornerE /=.
+  by field.
+have d0 k : ('X^k.+2)^`().[0] = 0 :> F by rewrite derivXn hornerMn hornerXn exprS mul0r mul0rn.
+by rewrite !pderiv_space !ev_space; apply: row3P; rewrite !crossE; coordinates; rewrite !d0; ring.
+Qed.
+
+Definition tangent_side x : 'rV[{poly F}]_3 :=
+  space (x%:P + 2%:R%:P * 'X) ((2%:R * x)%:P * 'X + 'X^2) ((3%:R * x)%:P * 'X^2).
+
+Lemma tangent_sides t L M : 2%:R != 0 :> F -> related_at 2 (tangent_side M) (tangent_side L) t L M 1.
+Proof.
+by move=> n2; apply: related_space; rewrite !(derivD, derivM, derivC, derivX, derivXn) !hornerE /=; field.
+Qed.
+
+(* The normal at (0, v) of the surface between the rows for x and y. *)
+Lemma tangent_normal x y v (c := tangent_side x) (d := tangent_side y) :
+  cross ((1 - v) *: ev (pderiv c) 0 + v *: ev (pderiv d) 0) (ev d 0 - ev c 0)
+    = space 0 0 (2%:R * (x - y) * ((1 - v) * x + v * y)).
+Proof.
+rewrite /c /d /tangent_side !pderiv_space !ev_space !(derivD, derivM, derivC, derivX, derivXn) !hornerE /=.
+by apply: row3P; rewrite !crossE !spaceE; coordinates; ring.
+Qed.
+
+Lemma tangent_normal0 x y (c := tangent_side x) (d := tangent_side y) : 2%:R != 0 :> F -> x != 0 -> x != y ->
+  cross (ev (pderiv c) 0) (ev d 0 - ev c 0) != 0.
+Proof.
+move=> n2 x0 xy; have -> : ev (pderiv c) 0 = (1 - 0) *: ev (pderiv c) 0 + 0 *: ev (pderiv d) 0.
+  by rewrite subr0 scale1r scale0r addr0.
+rewrite tangent_normal subr0 mul1r mul0r addr0.
+apply/eqP=> /(congr1 (@z_ _)); rewrite spaceE /z_ mxE => /eqP.
+by rewrite !mulf_eq0 (negPf n2) (negPf x0) subr_eq0 (negPf xy).
+Qed.
+End Singular.
+
+Section Corollary3.
+Variable F : realFieldType.
+Implicit Types (t v L M : F).
+
+(** FJ07.C3 needs_transversal: $\Lambda^{*}=M^{*}=-1$, so that $\Lambda,M<0$ on the piece $[0,1]$: the cylinder with rulings $(0,0,(t+1)^3)$
+    over $c=(t^2,t^3,0)$ is singular along the whole ruling of the cusp $t=0$.
+    Paper: Corollary 3 as printed says that it is not. *)
+Theorem FJ07_C3_needs_transversal (c := space 'X^2 'X^3 0 : 'rV[{poly F}]_3) (d := space 'X^2 'X^3 (('X + 1) ^+ 3)) :
+  (forall t, related_at 3 c d t (-1) (-1) 1) /\
+  forall v, cross ((1 - v) *: ev (pderiv c) 0 + v *: ev (pderiv d) 0) (ev d 0 - ev c 0) = 0.
+Proof. by apply: cusp_singular; rewrite pnatr_eq0. Qed.
+
+(** FJ07.C3 needs_side: $\Lambda^{*}=-1<0<1=M^{*}$: the rows $r+\frac{M^{*}-t}3r'$, $r+\frac{\Lambda^{*}-t}3r'$ of the tangent surface of
+    $r=(t,t^2,t^3)$ (times 3) have a regular first curve that no ruling touches at $t=0$, and a singular point at $v=1/2$. *)
+Theorem FJ07_C3_needs_side (c := tangent_side 1 : 'rV[{poly F}]_3) (d := tangent_side (-1)) :
+  [/\ forall t, related_at 2 c d t (-1) 1 1, cross (ev (pderiv c) 0) (ev d 0 - ev c 0) != 0 &
+   cross ((1 - 2%:R^-1) *: ev (pderiv c) 0 + 2%:R^-1 *: ev (pderiv d) 0) (ev d 0 - ev c 0) = 0].
+Proof.
+have n2 : 2%:R != 0 :> F by rewrite pnatr_eq0.
+split=> [t||]; [exact: tangent_sides|apply: tangent_normal0 => //|].
+- by rewrite oner_eq0.
+- by rewrite -subr_eq0 opprK.
+rewrite /c /d tangent_normal (_ : _ * _ = 0); last by field.
+by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE.
+Qed.
+
+(** FJ07.C3 needs_patch: $\Lambda^{*}=2$ and $M^{*}=1$ lie on one side of $t=0$ and the same surface is singular at $v=-1$, off the patch
+    $0\le v\le1$. *)
+Theorem FJ07_C3_needs_patch (c := tangent_side 1 : 'rV[{poly F}]_3) (d := tangent_side 2%:R) :
+  [/\ forall t, related_at 2 c d t 2%:R 1 1, cross (ev (pderiv c) 0) (ev d 0 - ev c 0) != 0 &
+   cross ((1 - (-1)) *: ev (pderiv c) 0 + (-1) *: ev (pderiv d) 0) (ev d 0 - ev c 0) = 0].
+Proof.
+have n2 : 2%:R != 0 :> F by rewrite pnatr_eq0.
+split=> [t||]; [exact: tangent_sides|apply: tangent_normal0 => //|].
+- by rewrite oner_eq0.
+- by rewrite eq_sym -subr_eq0 (_ : 2%:R - 1 = 1) ?oner_eq0 //; ring.
+rewrite /c /d tangent_normal (_ : _ * _ = 0); last by ring.
+by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE.
+Qed.
+End Corollary3.
