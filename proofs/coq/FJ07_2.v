@@ -1,7 +1,6 @@
-(* FJ07, section 2: developable surfaces; cylinders, cones and tangent surfaces.
+(* FJ07, section 2: developable surfaces; cylinders.
    Definitions:
-     normal a b w v      the normal b_u x b_v at v of the ruling w between curves with velocities a and b
-     tangent_row n c     the second row of the net of a tangent surface on [0, 1] *)
+     normal a b w v      the normal b_u x b_v at v of the ruling w between curves with velocities a and b *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves Points.
 Set Implicit Arguments.

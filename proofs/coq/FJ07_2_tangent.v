@@ -1,0 +1,68 @@
+(* FJ07, section 2: tangent surfaces, equation (7) and the net after it.
+   Definitions:
+     tangent_row n c i    c_i + (n-i) c_{i+1} + (2i-n) c_i - i c_{i-1} *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points Bernstein Bezier FJ07_2.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Tangent.
+Variables (F : fieldType).
+Implicit Types (C : 'rV[{poly F}]_3) (lam v : {poly F}).
+
+(** FJ07.7 developable: $c+v\lambda c'$ is developable for every function $\lambda$, here a polynomial. *)
+Theorem FJ07_7_developable C lam : developable C (C + lam *: pderiv C).
+Proof.
+rewrite /developable /pderiv; coordinates; rewrite !derivD !derivM.
+by hide_entries; move: lam^`() => l; ring.
+Qed.
+
+(** FJ07.7 edge: $b=c+v\lambda c'$ has $b_t\times b_v=v\lambda^2\,c''\times c'$: it is singular along $c$, the edge of regression. *)
+Theorem FJ07_7_edge C lam v :
+  normal (pderiv C) (pderiv (C + lam *: pderiv C)) (lam *: pderiv C) v = (v * lam ^+ 2) *: cross (pderiv (pderiv C)) (pderiv C).
+Proof.
+by apply: row3P; rewrite /normal /pderiv; coordinates; rewrite !derivD !derivM; hide_entries; move: lam^`() => l; ring.
+Qed.
+
+End Tangent.
+
+Section Net.
+Variables (F : fieldType) (m : nat).
+Implicit Types (c d : nat -> 'rV[F]_m) (n i : nat).
+
+Definition tangent_row n c i := c i + ((n - i)%:R *: c i.+1 + (i.*2%:R - n%:R) *: c i - i%:R *: prev c i).
+
+Lemma tangent_step n c i : (i <= n)%N ->
+  tangent_row n c i = c i + ((n - i)%:R *: (c i.+1 - c i) + i%:R *: (c i - prev c i)).
+Proof.
+move=> le_i; rewrite /tangent_row natrB // -muln2 natrM; congr (_ + _).
+by move: (n%:R) (i%:R) (prev c i) => N I p; by_entries k; ring.
+Qed.
+
+(** FJ07.7 net: on $[0,1]$ the row $c_i+\{(n-i)c_{i+1}+(2i-n)c_i-ic_{i-1}\}$ is that of $c(t)+c'(t)$. *)
+Theorem FJ07_7_net n c : pbez n (tangent_row n c) = pbez n c + pderiv (pbez n c).
+Proof.
+by rewrite deriv_pbez pbez_add; apply: pbez_ext => i le_i; rewrite tangent_step.
+Qed.
+
+(** FJ07.7 scaled: for a constant $\lambda$ the row $c_i+\lambda\{(n-i)c_{i+1}+(2i-n)c_i-ic_{i-1}\}$ is that of $c(t)+\lambda c'(t)$; on
+    $[a,b]$ the net of the paper gives $\lambda=b-a$. *)
+Theorem FJ07_7_scaled n c lam :
+  pbez n (fun i => c i + lam *: (tangent_row n c i - c i)) = pbez n c + lam%:P *: pderiv (pbez n c).
+Proof.
+rewrite deriv_pbez pbez_scale pbez_add; apply: pbez_ext => i le_i; rewrite tangent_step //.
+by rewrite addrAC subrr add0r.
+Qed.
+
+(** FJ07.7 unique: there is no other net of $c(t)+c'(t)$.
+    Hypotheses: no $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+Theorem FJ07_7_unique n c d : (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) ->
+  pbez n d = pbez n c + pderiv (pbez n c) <-> forall i, (i <= n)%N -> d i = tangent_row n c i.
+Proof.
+move=> nz; rewrite -FJ07_7_net; split=> [eq_d i le_i|]; last exact: pbez_ext.
+apply/rowP=> k; have := congr1 (fun x : 'rV__ => x 0 k) eq_d; rewrite !pbezP => /(bez_inj nz); exact.
+Qed.
+End Net.
