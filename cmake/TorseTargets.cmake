@@ -4,7 +4,8 @@
 #   torse_library(TARGET FOLDER LINK ...)      a static library of FOLDER/**/*.cpp (header-only while there is none)
 #   torse_embed(TARGET FOLDER)                 FOLDER/*.json as text in the library, see studies/built_in.hpp
 #   torse_program(TARGET FOLDER NAME N LINK .) the program <build>/N; all but main.cpp is a library, so tests reach it
-#   torse_plugin(TARGET FOLDER OF PROGRAM LINK ...)  a module of FOLDER/**/*.cpp beside the program, which opens it at run time
+#   torse_plugin(TARGET FOLDER OF PROGRAM LINK ...)  a module of FOLDER/**/*.cpp beside the program, which opens it at run time; its
+#                                              objects are TARGET_objects
 #   torse_viewer(SOURCE FILE)                  puts FILE into the object of SOURCE, where FILE is there
 #   torse_tests(TARGET FOLDER LINK ...)        one GoogleTest program of FOLDER/**/*.cpp, each test known to ctest
 #   torse_fuzz_targets(FOLDER CORPUS LINK ...) one program for each file, on which ctest runs its corpus; with libFuzzer 2 seconds more
@@ -97,10 +98,13 @@ endfunction()
 function(torse_plugin target folder)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" OF LINK)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${folder}/*.cpp")
-  add_library(${target} MODULE ${sources})
-  target_link_libraries(${target} PRIVATE ${arg_LINK})
-  set_target_properties(${target} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-                                             LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+  add_library(${target}_objects OBJECT ${sources})
+  target_link_libraries(${target}_objects PUBLIC ${arg_LINK})
+  set_target_properties(${target}_objects PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  torse_options(${target}_objects)
+  add_library(${target} MODULE)
+  target_link_libraries(${target} PRIVATE ${target}_objects)
+  set_target_properties(${target} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
   torse_options(${target})
   add_dependencies(${arg_OF} ${target})
 endfunction()
@@ -138,7 +142,7 @@ function(torse_fuzz_targets folder corpus)
       add_executable(${target} ${source})
       target_link_options(${target} PRIVATE -fsanitize=fuzzer)
     else()
-      add_executable(${target} ${source} "${folder}/replay/main.cpp")
+      add_executable(${target} ${source} "${PROJECT_SOURCE_DIR}/fuzz/targets/replay/main.cpp")
     endif()
     target_link_libraries(${target} PRIVATE ${arg_LINK})
     target_compile_definitions(${target} PRIVATE "TORSE_SOURCE_PATH=\"${PROJECT_SOURCE_DIR}\"" "TORSE_BUILD_PATH=\"${PROJECT_BINARY_DIR}\"")

@@ -10,16 +10,21 @@
 #include "torse/fuzz/properties/joined_rails.hpp"
 #include "torse/fuzz/properties/known_warp.hpp"
 #include "torse/fuzz/properties/mapped_rails.hpp"
+#include "torse/fuzz/properties/mapping_monotony.hpp"
 #include "torse/fuzz/properties/number_text.hpp"
 #include "torse/fuzz/properties/plate.hpp"
+#include "torse/fuzz/properties/rail_jets.hpp"
 #include "torse/fuzz/properties/recovery.hpp"
 #include "torse/fuzz/properties/refused_file.hpp"
 #include "torse/fuzz/properties/refused_input.hpp"
 #include "torse/fuzz/properties/repair.hpp"
 #include "torse/fuzz/properties/routes.hpp"
 #include "torse/fuzz/properties/scrambled_file.hpp"
+#include "torse/fuzz/properties/simplified_strip.hpp"
 #include "torse/fuzz/properties/small_formulas.hpp"
 #include "torse/fuzz/properties/spelling.hpp"
+#include "torse/fuzz/properties/strip_crossing.hpp"
+#include "torse/fuzz/properties/strip_folds.hpp"
 #include "torse/fuzz/properties/verdict_invariance.hpp"
 #include "torse/fuzz/properties/verdict_truth.hpp"
 #include "torse/fuzz/properties/warp_enclosure.hpp"
@@ -39,17 +44,22 @@ const std::vector<const Property*>& properties() {
       &property<JoinedRails>(),
       &property<KnownWarp>(),
       &property<MappedRails>(),
+      &property<MappingMonotony>(),
       &property<NearestNets>(),
       &property<NumberText>(),
       &property<PlateBounds>(),
+      &property<RailJets>(),
       &property<RecoveredFunctions>(),
       &property<RefusedFile>(),
       &property<RefusedInput>(),
       &property<Routes>(),
       &property<ScrambledFile>(),
+      &property<SimplifiedStrip>(),
       &property<SingularParameters>(),
       &property<SmallFormulas>(),
       &property<Spelling>(),
+      &property<StripCrossing>(),
+      &property<StripFolds>(),
       &property<VerdictInvariance<3>>(),
       &property<VerdictInvariance<4>>(),
       &property<VerdictTruth<3>>(),

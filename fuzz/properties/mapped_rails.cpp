@@ -1,6 +1,7 @@
 #include "torse/fuzz/properties/mapped_rails.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "torse/exact/quasi/snap.hpp"
@@ -85,12 +86,33 @@ void check_surface(const In& in, const Mapping<Q>& sigma) {
   }
 }
 
+/// A mapping that goes a little beyond an end of the second rail is refused.
+void check_refused(const In& in, const Mapping<Q>& sigma) {
+  const KnotList<Q>& u = in.d.knots;
+  const Q little = (u.domain_end() - u.domain_begin()) / Q(1'000'000);
+  Mapping<Q> below = sigma;
+  below.control.front()[0] = u.domain_begin() - little;
+  Mapping<Q> above = sigma;
+  above.control.back()[0] = u.domain_end() + little;
+  for (const Mapping<Q>& beyond : {below, above}) {
+    std::string reason;
+    try {
+      quasi_surface(as_spline(in.c), as_spline(in.d), beyond);
+    } catch (const InvalidInput& error) {
+      reason = error.what();
+    }
+    require(reason.starts_with("sigma: expected values within the second rail's domain"),
+            "a mapping beyond the second rail's ends is not refused as such");
+  }
+}
+
 }  // namespace
 
 const PropertyInfo& MappedRails::info() {
   static const PropertyInfo info{
       "rails.mapped",
-      "the ruled surface over a mapping is its rails exactly, and snapping does what it says",
+      "the ruled surface over a mapping is its rails exactly, snapping does what it says, and a mapping beyond the "
+      "second rail is refused",
       1,
       {"level=yes", "level=no", "passed=none", "passed=some"}};
   return info;
@@ -131,6 +153,7 @@ void MappedRails::check(const In& in, Labels& labels) {
     labels.add("passed", result.parameters.empty() ? "none" : "some");
     check_snapped(sigma, result, in.d.knots);
     check_surface(in, result.sigma);
+    check_refused(in, result.sigma);
   } catch (const Undecided&) {
     labels.add("passed", "undecided");
   }

@@ -5,6 +5,7 @@
 #include "torse/fuzz/draw/knots.hpp"
 #include "torse/fuzz/plain/elimination.hpp"
 #include "torse/fuzz/plain/rewriting.hpp"
+#include "torse/fuzz/plain/sturm.hpp"
 #include "torse/fuzz/plain/truth.hpp"
 
 namespace torse::fuzz {
@@ -36,6 +37,32 @@ TEST(Plain, SubstitutedCurvesHaveTheValuesOfTheOldOnes) {
   EXPECT_EQ(part.breaks, (std::vector<Q>{Q(-1), Q(1)}));
   const Row4 middle = plain::value_at<4>(part.rows[0], Q(0));  // 3 times the line at 1/3
   EXPECT_EQ(middle, row(3, 8, 6, 0));
+}
+
+TEST(Plain, RepeatedRootsCountOnceAtEndsToo) {
+  // t (t - 1/3)^2 (t - 1): in (a, b] the root b counts, a does not, though each interval ends at one.
+  const plain::Poly square{Q(1) / Q(9), Q(-2) / Q(3), Q(1)};
+  const plain::Poly f = plain::times(square, {Q(0), Q(-1), Q(1)});
+  EXPECT_EQ(plain::roots_between(f, Q(-1), Q(2)), 3);
+  EXPECT_EQ(plain::roots_between(f, Q(0), Q(1) / Q(3)), 1);
+  EXPECT_EQ(plain::roots_between(f, Q(1) / Q(3), Q(1)), 1);
+  EXPECT_EQ(plain::roots_between(f, Q(1) / Q(3), Q(1) / Q(2)), 0);
+}
+
+TEST(Plain, WhereAPolynomialIsNegative) {
+  const plain::Poly two_less{Q(-2), Q(0), Q(1)};  // t^2 - 2
+  const plain::Poly touching = plain::times(two_less, two_less);
+  EXPECT_EQ(plain::negative_inside(touching, Q(1), Q(2)), std::nullopt);
+  EXPECT_EQ(plain::negative_inside(touching, Q(0), Q(2)), std::nullopt);
+  // 2^-10 lower it is below 0 where |t^2 - 2| < 1/32 only.
+  const std::optional<Q> x = plain::negative_inside(plain::plus(touching, {Q(-1) / Q(1024)}), Q(0), Q(2));
+  ASSERT_TRUE(x);
+  EXPECT_LT(*x * *x, Q(2) + Q(1) / Q(32));
+  EXPECT_GT(*x * *x, Q(2) - Q(1) / Q(32));
+  // At an end alone is not inside.
+  EXPECT_EQ(plain::negative_inside({Q(0), Q(1)}, Q(0), Q(1)), std::nullopt);
+  EXPECT_TRUE(plain::negative_inside({Q(0), Q(1)}, Q(-1) / Q(100), Q(1)));
+  EXPECT_EQ(plain::negative_inside({Q(0), Q(0)}, Q(0), Q(1)), std::nullopt);
 }
 
 TEST(Plain, RanksAndWhatIsOrthogonal) {

@@ -1,0 +1,31 @@
+// strip.crossing: rulings that cross by construction are never said not to, and those that cannot are never said to.
+#pragma once
+
+#include "torse/fuzz/draw/polygons.hpp"
+#include "torse/fuzz/property.hpp"
+#include "torse/spline/knots.hpp"
+
+namespace torse::fuzz {
+
+struct StripCrossing {
+  struct In {
+    KnotList<Rational> knots = bezier_knots<Rational>(1);
+    std::vector<Point3> c{};
+    std::vector<Point3> d{};
+    bool crosses = false;  ///< by construction; else it cannot
+
+    template <class Self, class Visitor>
+    static void fields(Self& in, Visitor& visit) {
+      visit("knots", in.knots);
+      visit("c", in.c);
+      visit("d", in.d);
+      visit("crosses", in.crosses);
+    }
+  };
+
+  static const PropertyInfo& info();
+  static In draw(Choices& choices, const Scale& scale, Labels& labels);
+  static void check(const In& in, Labels& labels);
+};
+
+}  // namespace torse::fuzz
