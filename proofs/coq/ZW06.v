@@ -2,6 +2,7 @@
    tau(u), with points tau_i = q_i - p_i.
    Definitions:
      rate n p i       the points (n-i) (p_{i+1} - p_i) + i (p_i - p_{i-1}) of a' in degree n
+     gap p tau rho s i   what Aumann's equation (20) lacks at the cell i
      mean_step p i    A_i of ZW06.16, the sum of (j+1) (p_{j+1} - p_j) over j <= i, divided by (i+1)(i+2) *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves Points Dependence Bernstein Bezier.
@@ -34,11 +35,6 @@ Proof.
 move=> nz /ZW06_9_derivative ->; split=> [/eqP|->]; last by rewrite subrr scale0r.
 by rewrite scalemx_eq0 (negPf nz) orbF subr_eq0 => /eqP.
 Qed.
-
-(** ZW06.15 tangent: where $a\ne b'$ the ruling is the tangent of $a_1$: $\tau=a_1'/(a-b')$. *)
-Theorem ZW06_15_tangent p w a b : pderiv p = a *: w + b *: pderiv w ->
-  pderiv (p - b *: w) = (a - b^`()) *: w /\ p - b *: w + b *: w = p.
-Proof. by move=> /ZW06_9_derivative ->; rewrite subrK. Qed.
 End Condition.
 
 Section Nets.
@@ -150,34 +146,47 @@ case=> [|i] lt_i; rewrite Sr hs //; first by rewrite subr0 T0 /rate subn0 scale0
 by rewrite hs ?Tr // ltnW.
 Qed.
 
-(** ZW06.20 unique: $a'=a\tau+b\tau'$ with $a=n(1-s)/(\rho-1)$, $b=(1-u+su)/(\rho-1)$, here without the denominator, iff
-    $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$ (Aumann), that is $\tau_{i+1}=(\rho-1)\Delta p_i+s\tau_i$.
-    Hypotheses: $n!\ne0$ in the field.
-    Paper: excludes $\rho=1$, where the equation speaks of $\tau$ alone. *)
-Theorem ZW06_20_unique n p tau rho s : good F n ->
+Definition gap p tau rho s i : 'rV[F]_m := (rho - 1) *: (p i.+1 - p i) - (tau i.+1 - s *: tau i).
+
+(** ZW06.19 system: $a'=a\tau+b\tau'$ with $a=\frac{n(1-s)}{\rho-1}$, $b=\frac{1-u+su}{\rho-1}$, here without the denominator, iff
+    $(n-i)g_i+ig_{i-1}=0$, $i=0..n$, for the defects $g_i=(\rho-1)\Delta p_i-(\tau_{i+1}-s\tau_i)$ of (20).
+    Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+Theorem ZW06_19_system n p tau rho s : independent F n ->
   (rho - 1)%:P *: pderiv (pbez n p) =
     (n%:R * (1 - s))%:P *: pbez n tau + ((1 - 'X) *: pderiv (pbez n tau) + s%:P *: ('X *: pderiv (pbez n tau))) <->
-  forall i, (i < n)%N -> tau i.+1 = (rho - 1) *: (p i.+1 - p i) + s *: tau i.
+  forall i, (i <= n)%N -> (n - i)%:R *: gap p tau rho s i + i%:R *: prev (gap p tau rho s) i = 0.
 Proof.
-move=> g; have nz i := @good_nat _ n i g; rewrite pderiv_rate X_deriv_pbez Y_deriv_pbez !pbez_scale !pbez_add (pbez_inj _ _ (good_independent g)).
-pose e i := (rho - 1) *: (p i.+1 - p i) + s *: tau i - tau i.+1.
-have eqi i : (i <= n)%N -> (rho - 1) *: rate n p i = (n%:R * (1 - s)) *: tau i + ((n - i)%:R *: (tau i.+1 - tau i) + s *: (i%:R *: (tau i - prev tau i)))
-    <-> 0 = (n - i)%:R *: e i + i%:R *: (if i is j.+1 then e j else 0).
-  move=> le_i; apply: eq_of_diff; rewrite /rate /e /prev -{2}(subnK le_i) natrD; case: i {le_i} => [|i] /=.
-    by apply/rowP=> k; rewrite subn0 !mxE; move: (p 1%N 0 k) (p 0%N 0 k) (tau 1%N 0 k) (tau 0%N 0 k) (n%:R) => p1 p0 x1 x0 j; ring.
-  apply/rowP=> k; rewrite !mxE; move: (p i.+2 0 k) (p i.+1 0 k) (p i 0 k) (tau i.+2 0 k) (tau i.+1 0 k) (tau i 0 k) (i.+1%:R) ((n - i.+1)%:R).
-  by move=> p2 p1 p0 x2 x1 x0 j l; ring.
-have zero : (forall i, (i <= n)%N -> 0 = (n - i)%:R *: e i + i%:R *: (if i is j.+1 then e j else 0)) <-> forall i, (i < n)%N -> e i = 0.
-  split=> h; last first.
-    case=> [|i] le_i; last by rewrite (h i) // scaler0 addr0; have [/h ->|le_n] := ltnP i.+1 n; [rewrite scaler0|rewrite (_ : n - i.+1 = 0)%N ?scale0r //; lia].
-    by rewrite scale0r addr0; case: (n) le_i h => [|k] _ h; [rewrite scale0r|rewrite h ?scaler0].
-  elim=> [|i ih] lt_i; have := h _ (ltnW lt_i).
-    by rewrite scale0r addr0 => /esym/eqP; rewrite scaler_eq0 (negPf (nz _ _)) => [/eqP|]; last by lia.
-  by rewrite ih 1?ltnW // scaler0 addr0 => /esym/eqP; rewrite scaler_eq0 (negPf (nz _ _)) => [/eqP|]; last by lia.
-rewrite (_ : (forall i, _ -> (rho - 1) *: rate n p i = _) <-> (forall i, (i <= n)%N -> 0 = (n - i)%:R *: e i + i%:R *: (if i is j.+1 then e j else 0))); last first.
+move=> ind; rewrite pderiv_rate X_deriv_pbez Y_deriv_pbez !pbez_scale !pbez_add pbez_inj //.
+suff eqi i : (i <= n)%N -> (rho - 1) *: rate n p i = (n%:R * (1 - s)) *: tau i
+    + ((n - i)%:R *: (tau i.+1 - tau i) + s *: (i%:R *: (tau i - prev tau i)))
+    <-> (n - i)%:R *: gap p tau rho s i + i%:R *: prev (gap p tau rho s) i = 0.
   by split=> h i le_i; [apply/eqi/h | apply/(eqi _ le_i)/h].
-rewrite zero; split=> h i /h; rewrite /e; first by move/eqP; rewrite subr_eq0 => /eqP ->.
-by move=> ->; rewrite subrr.
+move=> le_i; apply: (iff_trans (B := 0 = (n - i)%:R *: gap p tau rho s i + i%:R *: prev (gap p tau rho s) i)); last by split=> ->.
+apply: eq_of_diff; rewrite /rate /gap /prev -{2}(subnK le_i) natrD; case: i {le_i} => [|i] /=.
+  by apply/rowP=> k; rewrite subn0 !mxE; move: (p 1%N 0 k) (p 0%N 0 k) (tau 1%N 0 k) (tau 0%N 0 k) (n%:R) => p1 p0 x1 x0 j; ring.
+apply/rowP=> k; rewrite !mxE; move: (p i.+2 0 k) (p i.+1 0 k) (p i 0 k) (tau i.+2 0 k) (tau i.+1 0 k) (tau i 0 k) (i.+1%:R) ((n - i.+1)%:R).
+by move=> p2 p1 p0 x2 x1 x0 j l; ring.
+Qed.
+
+(** ZW06.20 unique: then, for every $\rho$, $s$, $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$ (Aumann), $i=0..n-1$, and conversely.
+    Hypotheses: $n!\ne0$ in the field.
+    Paper: sets $i=0$ and lets the defects vanish one after the other; that they must needs the hypothesis. *)
+Theorem ZW06_20_unique n p tau rho s (q := fun i => p i + tau i) : good F n ->
+  (rho - 1)%:P *: pderiv (pbez n p) =
+    (n%:R * (1 - s))%:P *: pbez n tau + ((1 - 'X) *: pderiv (pbez n tau) + s%:P *: ('X *: pderiv (pbez n tau))) <->
+  forall i, (i < n)%N -> q i.+1 = p i + rho *: (p i.+1 - p i) + s *: (q i - p i).
+Proof.
+move=> g; rewrite (ZW06_19_system _ _ _ _ (good_independent g)).
+have gap0 i : gap p tau rho s i = 0 <-> q i.+1 = p i + rho *: (p i.+1 - p i) + s *: (q i - p i).
+  by apply: eq_of_diff; rewrite /q /gap; by_entries k; ring.
+split=> h; last first.
+  case=> [|i] le_i; rewrite /prev /= ?(iffRL (gap0 i)) ?scaler0 ?addr0 ?h //.
+    by rewrite scale0r addr0; case: (n) h => [|k] h; rewrite ?scale0r // (iffRL (gap0 _)) ?scaler0 ?h.
+  have [lt_i|le_n] := ltnP i.+1 n; first by rewrite (iffRL (gap0 _)) ?scaler0 ?h.
+  by rewrite (_ : n - i.+1 = 0)%N ?scale0r //; lia.
+suff all0 i : (i < n)%N -> gap p tau rho s i = 0 by move=> i /all0/gap0.
+elim: i => [|i ih] lt_i; have := h _ (ltnW lt_i); rewrite /prev /= ?ih 1?ltnW // ?scaler0 ?scale0r addr0 => /eqP;
+  by rewrite scaler_eq0 (negPf (good_nat g _)) => [/eqP|]; last by lia.
 Qed.
 
 Definition mean_step p i : 'rV[F]_m := (i.+1 * i.+2)%:R^-1 *: \sum_(0 <= j < i.+1) j.+1%:R *: (p j.+1 - p j).
