@@ -2,7 +2,13 @@
 // main.ml.
 #include <iostream>
 
+#include "torse/developable/cells.hpp"
 #include "torse/developable/closed_forms.hpp"
+#include "torse/developable/condition.hpp"
+#include "torse/developable/pieces.hpp"
+#include "torse/developable/regression.hpp"
+#include "torse/developable/ruled.hpp"
+#include "torse/developable/special.hpp"
 #include "torse/proofs/coq/compare/problem.hpp"
 
 namespace torse::compare {
@@ -10,13 +16,31 @@ namespace {
 
 using Q = Rational;
 using Point3 = Vec<Q, 3>;
+using Point4 = Vec<Q, 4>;
 using Function = Answer (*)(const Problem&);
+
+Answer knots(const Problem& p) { return p.knots(), Answer(); }
 
 Answer blossom_value(const Problem& p) {
   const auto c = p.spline<3>();
   std::vector<Parameter<Q>> v;
   for (const Vec<Q, 2>& x : p.points<2>("v")) v.push_back({x[0], x[1]});
   return Answer() << blossom<Q, Point3>(c.knots, c.points(), p.integer("k"), v);
+}
+
+Answer point(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << curve_point(c.knots, c.points(), p.integer("k"), p.number("t"));
+}
+
+Answer derivative(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << curve_derivative(c.knots, c.points(), p.integer("k"), p.number("t"));
+}
+
+Answer net(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << linear_net<Q, Point3>(c.knots, c.points(), p.number("L"), p.number("M"), p.point<3>("d"));
 }
 
 /// The row d of FJ07.13 by one of the library's routes from d_i.
@@ -33,30 +57,130 @@ Answer vertex(const Problem& p, Form form) {
   return Answer() << form(c.knots, c.points(), p.number("L"), p.number("M"), p.point<3>("d"), p.integer("i"));
 }
 
+Answer next_affine_cell(const Problem& p) {
+  const AffineCell<Q> next = next_affine<Q>(p.knots(), {p.number("l"), p.number("m")}, p.integer("k"));
+  return Answer() << next.lam << next.mu;
+}
+
+Answer affine_cell(const Problem& p) {
+  const AffineCell<Q> cell = affine_from_local(p.number("L"), p.number("M"));
+  return Answer() << cell.lam << cell.mu;
+}
+
+Answer cell(const Cell<Q>& cell) { return Answer() << cell.l << cell.m; }
+
+Answer cell_row(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << cell_net<Q, Point3>(c.knots, c.points(), {p.number("l"), p.number("m")}, p.point<3>("d"));
+}
+
+RuledSpline<Q, Point3> ruled(const Problem& p) {
+  const auto c = p.spline<3>();
+  const auto d = p.spline<3>("d");
+  return {c.knots, c.control, d.control};
+}
+
+/// The form of the determinant at (1-t, t). Throws DivisionByZero for an empty piece, which has no form.
+Answer determinant(const Problem& p) {
+  const auto s = ruled(p);
+  const int k = p.integer("k");
+  if (definitely(s.knots.piece_empty(k))) throw DivisionByZero();
+  const Q t = p.number("t");
+  return Answer() << span_determinant(s.knots, s.c_row(), s.d_row(), k)(Q(1) - t, t);
+}
+
+/// The piece that refutes, 0 where there is none.
+Answer witness(const Problem& p) {
+  const auto s = ruled(p);
+  const auto found = find_witness<Q, 3>(s.knots, s.c_row(), s.d_row());
+  return Answer() << Q(found ? found->piece : 0);
+}
+
+Answer blossom_functions(const BlossomFunctions<Q>& f) { return Answer() << f.lambda << f.m << f.sigma; }
+Answer frame_functions(const FrameFunctions<Q>& f) { return Answer() << f.lambda << f.mu << f.nu; }
+
+/// The three numbers x as one of the structs of three functions.
+template <class Functions>
+Functions triple(const Problem& p) {
+  const std::vector<Q> x = p.numbers("x");
+  return {x.at(0), x.at(1), x.at(2)};
+}
+
+Linear<Q> factor(const Problem& p, const char* key) {
+  const std::vector<Q> x = p.numbers(key);
+  return {x.at(0), x.at(1)};
+}
+
+Answer edge(const Problem& p) {
+  const auto f = triple<BlossomFunctions<Q>>(p);
+  const EdgeSpeed<Q> speed = edge_speed(p.integer("n"), p.number("t"), f);
+  return Answer() << edge_parameter(p.number("t"), f) << speed.alpha << speed.beta;
+}
+
+Answer standard(const Problem& p) {
+  const std::vector<Q> x = p.numbers("x");
+  return Answer() << standard_parameter(x.at(0), x.at(1), x.at(2));
+}
+
+/// 5.3 or its inverse.
+template <class Map>
+Answer factors(const Problem& p, Map map) {
+  return blossom_functions(
+      map(p.integer("n"), p.number("t"), triple<BlossomFunctions<Q>>(p), factor(p, "f"), factor(p, "g")));
+}
+
+Answer rational_row(const Problem& p) {
+  const auto c = p.spline<4>();
+  return Answer() << rational_net<Q, Point4>(c.knots, c.points(), p.number("L"), p.number("M"), p.number("s"),
+                                             p.point<4>("d"));
+}
+
+using P = const Problem&;
 const std::map<std::string, Function>& functions() {
   static const std::map<std::string, Function> table{
-      {"knots", [](const Problem& p) { return p.knots(), Answer(); }},
+      {"knots", knots},
       {"blossom", blossom_value},
-      {"point",
-       [](const Problem& p) {
-         const auto c = p.spline<3>();
-         return Answer() << curve_point(c.knots, c.points(), p.integer("k"), p.number("t"));
+      {"point", point},
+      {"derivative", derivative},
+      {"net", net},
+      {"net_from", [](P p) { return row(p, net_from<Q, Point3>); }},
+      {"printed_net", [](P p) { return row(p, printed_net<Q, Point3>); }},
+      {"eq14", [](P p) { return vertex(p, eq14<Q, Point3>); }},
+      {"eq15", [](P p) { return vertex(p, eq15<Q, Point3>); }},
+      {"eq16", [](P p) { return vertex(p, eq16<Q, Point3>); }},
+      {"local_parameter", [](P p) { return Answer() << local_parameter(p.knots(), p.number("t"), p.integer("k")); }},
+      {"next_local", [](P p) { return Answer() << next_local(p.knots(), p.number("t"), p.integer("k")); }},
+      {"affine_from_local", affine_cell},
+      {"next_affine", next_affine_cell},
+      {"aumann_net",
+       [](P p) {
+         return Answer() << aumann_net<Q, Point3>(p.points<3>("c"), p.number("L"), p.number("M"), p.point<3>("d"));
        }},
-      {"derivative",
-       [](const Problem& p) {
-         const auto c = p.spline<3>();
-         return Answer() << curve_derivative(c.knots, c.points(), p.integer("k"), p.number("t"));
+      {"first_cell", [](P p) { return cell(first_cell(p.knots(), p.number("L"), p.number("M"))); }},
+      {"next_cell",
+       [](P p) {
+         return cell(next_cell<Q>(p.knots(), {p.number("l"), p.number("m")}, p.integer("i")));
        }},
-      {"net",
-       [](const Problem& p) {
-         const auto c = p.spline<3>();
-         return Answer() << linear_net<Q, Point3>(c.knots, c.points(), p.number("L"), p.number("M"), p.point<3>("d"));
+      {"cell_net", cell_row},
+      {"restrict_rulings",
+       [](P p) { return Answer() << restrict_rulings<Q, Point3>(p.points<3>("c"), p.points<3>("d"), p.number("x")); }},
+      {"determinant", determinant},
+      {"find_witness", witness},
+      {"to_blossom",
+       [](P p) { return blossom_functions(to_blossom(p.integer("n"), p.number("t"), triple<FrameFunctions<Q>>(p))); }},
+      {"to_frame",
+       [](P p) { return frame_functions(to_frame(p.integer("n"), p.number("t"), triple<BlossomFunctions<Q>>(p))); }},
+      {"standard_parameter", standard},
+      {"gauged",
+       [](P p) { return frame_functions(gauged(triple<FrameFunctions<Q>>(p), p.number("a"), p.number("b"))); }},
+      {"scaled_weights",
+       [](P p) {
+         return blossom_functions(scaled_weights(triple<BlossomFunctions<Q>>(p), p.number("a"), p.number("b")));
        }},
-      {"net_from", [](const Problem& p) { return row(p, net_from<Q, Point3>); }},
-      {"printed_net", [](const Problem& p) { return row(p, printed_net<Q, Point3>); }},
-      {"eq14", [](const Problem& p) { return vertex(p, eq14<Q, Point3>); }},
-      {"eq15", [](const Problem& p) { return vertex(p, eq15<Q, Point3>); }},
-      {"eq16", [](const Problem& p) { return vertex(p, eq16<Q, Point3>); }},
+      {"edge", edge},
+      {"unelevated", [](P p) { return factors(p, unelevated<Q>); }},
+      {"elevated_functions", [](P p) { return factors(p, elevated_functions<Q>); }},
+      {"rational_net", rational_row},
   };
   return table;
 }

@@ -42,6 +42,18 @@ let of_points = answer List.concat
 let spline program p = program field (space (dimension p)) (integer p "n") (numbers p "u") (points p "c")
 let row program p = spline program p (number p "L") (number p "M")
 
+let over_knots program p = program field (integer p "n") (numbers p "u")
+
+(* Three functions x at the parameter t; two factors of degree one. *)
+let functions program p = match numbers p "x" with
+  | [a; b; c] -> of_point (program field (integer p "n") (number p "t") a b c)
+  | _ -> failwith "x"
+let with_factors program p = match numbers p "x", numbers p "f", numbers p "g" with
+  | [a; b; c], [f0; f1], [g0; g1] -> of_point (program field (integer p "n") (number p "t") a b c f0 f1 g0 g1)
+  | _ -> failwith "x"
+
+let x p = List.nth p 0 and y p = List.nth p 1 and z p = List.nth p 2
+
 let programs = [
   "knots", (fun p -> answer (fun () -> []) (knot_list field (integer p "n") (numbers p "u") (Value ())));
   "blossom", (fun p -> of_point (spline blossom_program p (integer p "k") (pairs p "v")));
@@ -53,6 +65,26 @@ let programs = [
   "eq14", (fun p -> of_point (row closed14_program p (point p "d") (integer p "i")));
   "eq15", (fun p -> of_point (row closed15_program p (point p "d") (integer p "i")));
   "eq16", (fun p -> of_point (row closed16_program p (point p "d") (integer p "i")));
+  "local_parameter", (fun p -> of_point (over_knots local_program p (number p "t") (integer p "k")));
+  "next_local", (fun p -> of_point (over_knots next_local_program p (number p "t") (integer p "k")));
+  "affine_from_local", (fun p -> of_point (affine_program field (number p "L") (number p "M")));
+  "next_affine", (fun p -> of_point (over_knots next_affine_program p (number p "l") (number p "m") (integer p "k")));
+  "aumann_net", (fun p -> of_points (aumann_program field (space 3) (points p "c") (number p "L") (number p "M") (point p "d")));
+  "first_cell", (fun p -> of_point (over_knots first_cell_program p (number p "L") (number p "M")));
+  "next_cell", (fun p -> of_point (over_knots next_cell_program p (number p "l") (number p "m") (integer p "i")));
+  "cell_net", (fun p -> of_points (spline cell_program p (number p "l") (number p "m") (point p "d")));
+  "restrict_rulings", (fun p -> of_points (Value (restricted_program (space 3) (points p "c") (points p "d") (number p "x"))));
+  "determinant", (fun p -> of_point (spline (fun k v -> determinant_program k v x y z) p (points p "d") (integer p "k") (number p "t")));
+  "find_witness", (fun p -> answer (fun k -> [Q.of_int k]) (spline (fun k v -> check_program k v x y z) p (points p "d")));
+  "to_blossom", functions to_blossom_program;
+  "to_frame", functions to_frame_program;
+  "standard_parameter", (fun p -> match numbers p "x" with [v; w; o] -> of_point (standard_program field v w o) | _ -> failwith "x");
+  "gauged", (fun p -> match numbers p "x" with [a; b; c] -> of_point (gauge_program field a b c (number p "a") (number p "b")) | _ -> failwith "x");
+  "scaled_weights", (fun p -> match numbers p "x" with [a; b; c] -> of_point (weights_program field a b c (number p "a") (number p "b")) | _ -> failwith "x");
+  "edge", functions edge_program;
+  "unelevated", with_factors unelevated_program;
+  "elevated_functions", with_factors elevated_program;
+  "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
 ]
 
 let solve line =

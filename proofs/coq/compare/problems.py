@@ -16,6 +16,7 @@ class Draw:
     def __init__(self, seed, kind):
         self.random, self.kind = random.Random(seed), kind
         self.huge = kind == "huge fractions"
+        self.fewest = 1  # pieces
 
     def number(self, most=9):
         if self.huge:
@@ -36,7 +37,7 @@ class Draw:
 
     def knots(self):
         """Of degree n with N pieces; clamped, repeated or wrong as the class says."""
-        n, pieces = self.n, self.random.randint(1, 5)
+        n, pieces = self.n, self.random.randint(self.fewest, 5)
         count = 2 * n + pieces - 1
         u = [self.number()]
         while len(u) < count:
@@ -152,6 +153,107 @@ def point(draw):
     return spline(draw) | {"k": draw.piece(), "t": draw.parameter()}
 
 
+def local(draw):
+    """A function of one piece, k >= 1, or of a piece and the one before, with any coordinates."""
+    members = spline(draw)
+    del members["c"]
+    k = draw.piece()
+    return members | {"k": k, "t": draw.parameter()}
+
+
+def following(draw):
+    """A piece that has one before it; some mu are 0."""
+    draw.fewest = 2
+    members = local(draw)
+    return members | {"k": draw.random.randint(2, max(2, draw.pieces)), "l": draw.number(), "m": draw.random.choice((0, 1, draw.number(), draw.number()))}
+
+
+def affine(draw):
+    return {"L": draw.number(), "M": 0 if draw.random.random() < 0.1 else draw.number()}
+
+
+def bezier(draw):
+    draw.degree()
+    draw.last = draw.n
+    return {"c": draw.row()}
+
+
+def aumann(draw):
+    return bezier(draw) | {"d": draw.point()} | affine(draw)
+
+
+def first_cell(draw):
+    members = net(draw)
+    return {key: members[key] for key in "nuLM"}
+
+
+def cells(draw):
+    """A row from its first cell: that of some L*, M*, where M* may be a knot; or any."""
+    members = net(draw)
+    n, u, lam, m = (members.pop(key) for key in "nuLM")
+    cell = {"l": draw.number(), "m": draw.random.choice((1, draw.number()))}
+    if n > 0 and draw.random.random() < 0.7:
+        m = draw.random.choice(u) if draw.random.random() < 0.3 else m
+        if m != u[0]:
+            cell = {"l": (lam - u[0]) / (m - u[0]), "m": (m - u[n % len(u)]) / (m - u[0])}
+    return members | {"n": n, "u": u, "i": draw.random.randint(2, max(2, draw.last))} | cell
+
+
+def one_cell(draw):
+    members = cells(draw)
+    if draw.last < 2:
+        members["n"], members["u"], members["i"] = 2, [0, 1, 2, 3], 2
+    return {key: members[key] for key in "nuilm"}
+
+
+def pair(draw):
+    """Two rows; often those of a developable surface."""
+    members = net(draw)
+    n, u, c, lam, m, d = (members[key] for key in "nucLMd")
+    rows = [d]
+    if draw.random.random() < 0.7 and m not in u and n > 0 and len(c) == len(u) - n + 1 > 0:
+        for i in range(len(c) - 1):
+            rows.append([((u[i + n] - lam) * a + (lam - u[i]) * b - (u[i + n] - m) * e) / (m - u[i]) for a, b, e in zip(c[i], c[i + 1], rows[i])])
+        if draw.random.random() < 0.3:
+            rows[draw.random.randrange(len(rows))][draw.random.randrange(3)] += 1
+    else:
+        rows = draw.row()
+    return {"n": n, "u": u, "c": c, "d": rows, "k": draw.piece(), "t": draw.number()}
+
+
+def restriction(draw):
+    members = bezier(draw)
+    c = members["c"]
+    return {"c": c, "d": [draw.point() for _ in c], "x": draw.number()}
+
+
+def at_parameter(draw):
+    """Three functions at a parameter, and two factors of degree one; many are equal or zero."""
+    draw.degree()
+    t = draw.number()
+    near = (0, 1, t, draw.number(), draw.number(), draw.number())
+    x = [draw.random.choice(near) for _ in range(3)]
+    if draw.random.random() < 0.1:
+        x[2] = x[0]
+    f, g = ([draw.random.choice((0, 1, -t, draw.number(), draw.number())) for _ in range(2)] for _ in range(2))
+    return {"n": draw.n, "t": t, "x": x, "f": f, "g": g}
+
+
+def scaling(draw):
+    members = at_parameter(draw)
+    return {"x": members["x"], "a": draw.random.choice((0, draw.number(), draw.number())), "b": draw.random.choice((0, draw.number(), draw.number()))}
+
+
+def rational_net(draw):
+    draw.degree()
+    u = draw.knots()
+    lam, m = draw.starred()
+    c = draw.row(4)
+    return {"n": draw.n, "u": u, "c": c, "L": lam, "M": m, "s": 0 if draw.random.random() < 0.05 else draw.number(), "d": draw.point(4)}
+
+
+of_numbers = ["random", "huge fractions"]
+of_rows = ["random", "zero edges", "collinear points", "huge fractions"]
 functions = {
     "knots": (of_knots, spline),
     "blossom": (general, blossom),
@@ -163,10 +265,30 @@ functions = {
     "eq14": (of_nets, lambda draw: vertex(draw, 1)),
     "eq15": (of_nets, lambda draw: vertex(draw, 1)),
     "eq16": (of_nets, lambda draw: vertex(draw, 1)),
+    "local_parameter": (of_knots, local),
+    "next_local": (of_knots, following),
+    "affine_from_local": (of_numbers, affine),
+    "next_affine": (of_knots, following),
+    "aumann_net": (of_rows, aumann),
+    "first_cell": (of_knots + ["M* at a knot", "L* = M*"], first_cell),
+    "next_cell": (of_knots, one_cell),
+    "cell_net": (general, cells),
+    "restrict_rulings": (of_rows, restriction),
+    "determinant": (general + ["L* at a knot", "L* = M*"], pair),
+    "find_witness": (general + ["L* at a knot", "L* = M*"], pair),
+    "to_blossom": (of_numbers, at_parameter),
+    "to_frame": (of_numbers, at_parameter),
+    "standard_parameter": (of_numbers, scaling),
+    "gauged": (of_numbers, scaling),
+    "scaled_weights": (of_numbers, scaling),
+    "edge": (of_numbers, at_parameter),
+    "unelevated": (of_numbers, at_parameter),
+    "elevated_functions": (of_numbers, at_parameter),
+    "rational_net": (of_nets, rational_net),
 }
 # The classes and functions where every answer is an error, and where some are; in no class or function else are all.
 all_errors = {"missing points", "M* at a knot"}
-with_errors = {"bad knots"} | set(functions)
+with_errors = {"bad knots"} | set(functions) - {"restrict_rulings"}
 
 
 def problems(seed, count):
