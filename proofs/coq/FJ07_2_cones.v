@@ -62,7 +62,7 @@ Qed.
 (** FJ07.5 vertex: all rulings pass through $a$ at the same $v=-k$ iff $c_i=a+kw_i$ with $w_i=d_i-c_i$, $i=0..n$, that is $c=a+kw$,
     $d=a+(k+1)w$.
     Hypotheses: the knots carry the piece; no $C(n,i)$ vanishes in the field, as in characteristic 0, for the direction from the surface to the net. *)
-Theorem FJ07_5_vertex n u a k c d : (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) -> span n u ->
+Theorem FJ07_5_vertex n u a k c d : independent F n -> span n u ->
   ruled (pcurve n u c) (pcurve n u d) (- k)%:P = fixed a <-> forall i, (i <= n)%N -> c i = a + k *: (d i - c i).
 Proof.
 move=> nz sp; have -> : ruled (pcurve n u c) (pcurve n u d) (- k)%:P = pcurve n u (fun i => (1 + k) *: c i + (- k) *: d i).
@@ -122,7 +122,7 @@ Qed.
 (** FJ07.6 converse: a surface all of whose rulings pass through $a$ at $v=-k$ has proportional sides with $\alpha=1+1/k$.
     Hypotheses: $k\ne0$; the knots carry the piece; no $C(n,i)$ vanishes in the field, as in characteristic 0.
     Paper: takes the same $v$ on every ruling for granted in (5). *)
-Theorem FJ07_6_converse n u a k c d : (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) -> k != 0 -> span n u ->
+Theorem FJ07_6_converse n u a k c d : independent F n -> k != 0 -> span n u ->
   ruled (pcurve n u c) (pcurve n u d) (- k)%:P = fixed a -> proportional (1 + 1 / k) c d n.
 Proof.
 move=> nz k0 sp /(FJ07_5_vertex _ _ _ _ nz sp) eq_c i lt_i.
@@ -178,7 +178,7 @@ move=> le_i e; exists (fun j => const_mx (j == i)%:R) => k; split.
 by rewrite subrr scaler0 addr0 eqxx => /rowP/(_ 0); rewrite !mxE => /eqP; rewrite oner_eq0.
 Qed.
 
-Lemma pcurve_onto m n (p : 'rV[{poly F}]_m) : (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) ->
+Lemma pcurve_onto m n (p : 'rV[{poly F}]_m) : independent F n ->
   (forall k, (size (p 0%R k) <= n.+1)%N) -> pcurve n (step01 F n) (fun i => \row_k in_bernstein n (p 0 k) i) = p.
 Proof.
 move=> nz sz; apply/rowP=> k; rewrite mxE bezier_curve [RHS](BZZ19_14_bernstein nz (sz k)).
@@ -189,7 +189,7 @@ Qed.
     $c=(1,t,t^2)$, $d=(1+t)c$, all rulings through 0, for $n\ge3$.
     Hypotheses: no $C(n,i)$ vanishes in the field, as in characteristic 0.
     Paper: says that every conical surface has (6). *)
-Theorem FJ07_6_needs_scale n : (2 < n)%N -> (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) -> exists c d : nat -> 'rV[F]_3,
+Theorem FJ07_6_needs_scale n : (2 < n)%N -> independent F n -> exists c d : nat -> 'rV[F]_3,
   [/\ pcurve n (step01 F n) d = (1 + 'X) *: pcurve n (step01 F n) c, developable (pcurve n (step01 F n) c) (pcurve n (step01 F n) d)
     & forall al, ~ proportional al c d n].
 Proof.

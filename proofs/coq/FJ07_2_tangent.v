@@ -59,7 +59,7 @@ Qed.
 
 (** FJ07.7 unique: there is no other net of $c(t)+c'(t)$.
     Hypotheses: no $C(n,i)$ vanishes in the field, as in characteristic 0. *)
-Theorem FJ07_7_unique n c d : (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) ->
+Theorem FJ07_7_unique n c d : independent F n ->
   pbez n d = pbez n c + pderiv (pbez n c) <-> forall i, (i <= n)%N -> d i = tangent_row n c i.
 Proof.
 move=> nz; rewrite -FJ07_7_net; split=> [eq_d i le_i|]; last exact: pbez_ext.

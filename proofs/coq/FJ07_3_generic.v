@@ -176,7 +176,7 @@ Qed.
     $\Lambda^{*}$, $M^{*}$.
     Hypotheses: 2 and the $C(n,i)$ are not 0 in the field, as in characteristic 0.
     Paper: "this result is generic". *)
-Theorem FJ07_T1_needs_functions n : (2 < n)%N -> 2%:R != 0 :> F -> (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) ->
+Theorem FJ07_T1_needs_functions n : (2 < n)%N -> 2%:R != 0 :> F -> independent F n ->
   exists c d : nat -> 'rV[F]_3, developable (pbez n c) (pbez n d) /\ forall L M, ~ related (step01 F n) n L M c d.
 Proof.
 move=> lt_n two nz; pose p : 'rV[{poly F}]_3 := \row_(k < 3) 'X^k.+1.

@@ -89,7 +89,7 @@ Qed.
 
 (** blossoms diagonal: curves that agree at $t,\dots,t$ have the same control points, hence the same blossom.
     Hypotheses: the knots carry the piece; no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
-Theorem blossoms_diagonal n u c d : (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) -> span n u ->
+Theorem blossoms_diagonal n u c d : independent F n -> span n u ->
   curve n u c = curve n u d -> forall i, (i <= n)%N -> c i = d i.
 Proof.
 move=> nz sp; rewrite !curve_segment // => /(bez_inj nz) eq_s; apply: (blossoms_injective sp) => v sz.
@@ -114,7 +114,7 @@ Implicit Types (u : nat -> F) (c d : nat -> 'rV[F]_m) (a b : F) (n i : nat).
 
 Definition psegment a b n u c i : 'rV[F]_m := pblossom u c (ends n a b i).
 
-Lemma pcurve_inj n u c d : (forall i, (i <= n)%N -> 'C(n, i)%:R != 0 :> F) -> span n u ->
+Lemma pcurve_inj n u c d : independent F n -> span n u ->
   pcurve n u c = pcurve n u d -> forall i, (i <= n)%N -> c i = d i.
 Proof.
 move=> nz sp eq_cd i le_i; apply/rowP=> k; have := congr1 (fun r : 'rV_m => r 0 k) eq_cd; rewrite !mxE.
