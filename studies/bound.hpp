@@ -18,7 +18,8 @@ Rational gamma(int k, int precision);
 /// (M*-u_{i+n})/(M*-u_i), or of their inverses behind k:
 ///   u |d_N| + (1+u) ( gamma_{5 s + 1} |P| |d_k - c_k| + |L*-M*| sum_i gamma_{5 s_i + 1} |P_i| |c_{i+1}-c_i| / |M*-u_i|
 ///   ),
-/// s and s_i the steps from k, or from the term's own cell, to N. `in` are exact inputs, `d` the exact net.
+/// s and s_i the steps from k, or from the term's own cell, to N. `in` are exact inputs, `d` the exact net. Proved in
+/// proofs/coq: rounding_net and rounding_net_down, for doubles rounding_binary64_net and rounding_binary64_net_down.
 std::vector<Rational> rulings_bound(const Inputs<Rational>& in, const std::vector<Rational>& d, int k,
                                     const Vec<Rational, 3>& dk, int precision);
 

@@ -1,0 +1,194 @@
+(* The operations on doubles keep the standard model, in terms of rational numbers, which Rounding_net.v can take.
+   Definitions:
+     real x           a rational number among the real ones
+     rational x       the value of a number; 0 for infinities and NaN
+     doubles          the four operations of Binary64.v
+     unit_roundoff, least_normal   2^-53 and 2^-1022
+     times_survives x y, over_survives x y   a product, a quotient that do not underflow *)
+From Coq Require Import ZArith Reals Psatz.
+From Flocq Require Import Core BinarySingleNaN.
+From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
+From Torse Require Import Binary64 Rounding.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import Order.TTheory GRing.Theory Num.Theory.
+Local Open Scope ring_scope.
+Delimit Scope R_scope with Re.
+
+Section Values.
+Definition real (x : rat) : R := (IZR (Z_of_int (numq x)) / IZR (Z_of_int (denq x)))%Re.
+
+Lemma IZR_neq0 (b : int) : b != 0 -> IZR (Z_of_int b) <> 0%Re.
+Proof. by move=> nz /eq_IZR_R0 e; case/eqP: nz; lia. Qed.
+
+Lemma real_frac (a b : int) : b != 0 -> real (a%:~R / b%:~R) = (IZR (Z_of_int a) / IZR (Z_of_int b))%Re.
+Proof.
+move=> nb; set x := a%:~R / b%:~R; rewrite /real; have nd := denq_neq0 x.
+have e : numq x * b = a * denq x.
+  apply/eqP; rewrite -(eqr_int [numDomainType of rat]) !rmorphM /= -eqr_div ?intr_eq0 // divq_num_den.
+  by rewrite /x.
+have := congr1 (fun z => IZR (Z_of_int z)) e; rewrite !rmorphM /= !mult_IZR => {}e.
+by apply: quotient_eq => //; exact: IZR_neq0.
+Qed.
+
+Lemma realD x y : real (x + y) = (real x + real y)%Re.
+Proof.
+rewrite -{1}[x]divq_num_den -{1}[y]divq_num_den addf_div ?intr_eq0 ?denq_neq0 //.
+rewrite -!intrM -intrD real_frac ?mulf_neq0 ?denq_neq0 // rmorphD !rmorphM plus_IZR !mult_IZR.
+by apply: quotient_sum; apply: IZR_neq0; exact: denq_neq0.
+Qed.
+
+Lemma realM x y : real (x * y) = (real x * real y)%Re.
+Proof.
+rewrite -{1}[x]divq_num_den -{1}[y]divq_num_den mulf_div -!intrM real_frac ?mulf_neq0 ?denq_neq0 //.
+rewrite !rmorphM !mult_IZR.
+by apply: quotient_product; apply: IZR_neq0; exact: denq_neq0.
+Qed.
+
+Lemma real_int (z : int) : real z%:~R = IZR (Z_of_int z).
+Proof. by rewrite /real numq_int denq_int /= /Rdiv Rinv_1 Rmult_1_r. Qed.
+
+Lemma realN x : real (- x) = (- real x)%Re.
+Proof. by rewrite /real numqN denqN rmorphN opp_IZR /Rdiv Ropp_mult_distr_l. Qed.
+
+Lemma realB x y : real (x - y) = (real x - real y)%Re.
+Proof. by rewrite realD realN. Qed.
+
+Lemma real_pos x : 0 < x -> (0 < real x)%Re.
+Proof.
+have pos (z : int) : 0 < z -> (0 < IZR (Z_of_int z))%Re by move=> z0; apply: IZR_lt; lia.
+by move=> x0; apply: Rdiv_lt_0_compat; apply: pos; rewrite ?numq_gt0 ?denq_gt0.
+Qed.
+
+Lemma real_le x y : (real x <= real y)%Re -> x <= y.
+Proof.
+move=> h; rewrite leNgt; apply/negP; rewrite -subr_gt0 => /real_pos; rewrite realB.
+by move=> h'; lra.
+Qed.
+
+Lemma real_mono x y : x <= y -> (real x <= real y)%Re.
+Proof.
+rewrite le_eqVlt => /orP[/eqP->|]; first exact: Rle_refl.
+by rewrite -subr_gt0 => /real_pos; rewrite realB; lra.
+Qed.
+
+Lemma real_norm x : real `|x| = Rabs (real x).
+Proof.
+have [x0|x0|->] := ltrgt0P x.
+- by rewrite Rabs_pos_eq //; exact/Rlt_le/real_pos.
+- by rewrite realN Rabs_left //; move: x0; rewrite -oppr_gt0 => /real_pos; rewrite realN; lra.
+by rewrite (real_int 0) Rabs_R0.
+Qed.
+
+Lemma real_neq0 x : x != 0 -> real x <> 0%Re.
+Proof. by rewrite -normr_gt0 => /real_pos; rewrite real_norm => h e; move: h; rewrite e Rabs_R0; exact: Rlt_irrefl. Qed.
+
+Lemma realV x : x != 0 -> real x^-1 = (/ real x)%Re.
+Proof.
+move=> nz; apply: (Rmult_eq_reg_r (real x)); last exact: real_neq0.
+by rewrite -realM mulVf // Rinv_l ?(real_int 1) //; exact: real_neq0.
+Qed.
+
+Lemma real_power (e : int) : real (2%:R ^ e) = bpow radix2 (Z_of_int e).
+Proof.
+have two : real 2%:R = 2%Re by rewrite (real_int 2).
+have nat_power k : real (2%:R ^+ k) = bpow radix2 (Z.of_nat k).
+  elim: k => [|k ih]; first by rewrite expr0 (real_int 1).
+  by rewrite exprS realM ih two Nat2Z.inj_succ bpow_plus_1.
+case: e => k; first by rewrite -exprnP nat_power.
+rewrite NegzE -exprnN realV ?expf_neq0 // nat_power -bpow_opp.
+by congr (bpow _ _); lia.
+Qed.
+
+Definition rational (x : number) : rat :=
+  if x is B754_finite s m e _ then (int_of_Z (cond_Zopp s (Zpos m)))%:~R * 2%:R ^ (int_of_Z e) else 0.
+
+Lemma real_rational x : real (rational x) = B2R x.
+Proof.
+case: x => [s|s| |s m e h] /=; try exact: (real_int 0).
+by rewrite realM real_int real_power !int_of_ZK.
+Qed.
+End Values.
+
+Definition doubles := Arithmetic bplus bminus btimes bover.
+Definition unit_roundoff : rat := 2%:R ^ (- 53%:Z).
+Definition least_normal : rat := 2%:R ^ (- 1022%:Z).
+
+Section Model.
+Implicit Types x y : number.
+Local Notation eps := unit_roundoff.
+
+Definition times_survives x y := [\/ rational x = 0, rational y = 0 | least_normal <= `|rational (btimes x y)|].
+Definition over_survives x y := rational x = 0 \/ least_normal <= `|rational (bover x y)|.
+
+Lemma real_unit : real unit_roundoff = bpow radix2 (-53).
+Proof. by rewrite /unit_roundoff real_power. Qed.
+Lemma real_least : real least_normal = bpow radix2 (-1022).
+Proof. by rewrite /least_normal real_power. Qed.
+
+Lemma unit_ge0 : 0 <= unit_roundoff.
+Proof. by rewrite /unit_roundoff exprz_ge0 // ler0n. Qed.
+Opaque unit_roundoff least_normal.
+
+Local Notation u := (bpow radix2 (-53)).
+
+Lemma close_of_real (x y : rat) rx ry : real x = rx -> real y = ry -> (Rabs (ry - rx) <= u * Rabs rx)%Re -> close eps x y.
+Proof. by move=> <- <-; rewrite -real_unit -realB -!real_norm -realM => /real_le. Qed.
+
+Lemma rounded_of_real (x y : rat) rx ry : real x = rx -> real y = ry -> (Rabs (ry - rx) <= u * Rabs ry)%Re -> rounded eps x y.
+Proof. by move=> ex ey h; right; apply: (close_of_real ey ex); rewrite Rabs_minus_sym. Qed.
+
+Lemma real_sum x y : real (rational x + rational y) = (B2R x + B2R y)%Re.
+Proof. by rewrite realD !real_rational. Qed.
+Lemma real_difference x y : real (rational x - rational y) = (B2R x - B2R y)%Re.
+Proof. by rewrite realB !real_rational. Qed.
+Lemma real_product x y : real (rational x * rational y) = (B2R x * B2R y)%Re.
+Proof. by rewrite realM !real_rational. Qed.
+Lemma real_quotient x y : rational y != 0 -> real (rational x / rational y) = (B2R x / B2R y)%Re.
+Proof. by move=> nz; rewrite realM realV // !real_rational. Qed.
+
+(** rounding.binary64 sum: a sum and a difference of doubles that do not overflow have a relative error of at most $2^{-53}$, however small they are. *)
+Theorem rounding_binary64_sum x y :
+  (is_finite (bplus x y) = true -> close eps (rational x + rational y) (rational (bplus x y))) /\
+  (is_finite (bminus x y) = true -> close eps (rational x - rational y) (rational (bminus x y))).
+Proof.
+split=> h; first exact: (close_of_real (real_sum x y) (real_rational _) (plus_close h)).
+exact: (close_of_real (real_difference x y) (real_rational _) (minus_close h)).
+Qed.
+
+Lemma zero_value x : rational x = 0 -> B2R x = 0%Re.
+Proof. by move=> h; rewrite -real_rational h (real_int 0). Qed.
+
+Lemma normal_value x : least_normal <= `|rational x| -> (bpow radix2 (-1022) <= Rabs (B2R x))%Re.
+Proof. by move=> /real_mono h; rewrite -real_least -real_rational -real_norm. Qed.
+
+Let zero_rounded : (Rabs (round radix2 (FLT_exp (-1074) 53) ZnearestE 0 - 0)
+  <= bpow radix2 (-53) * Rabs (round radix2 (FLT_exp (-1074) 53) ZnearestE 0))%Re.
+Proof. by rewrite round_0 Rminus_0_r Rabs_R0 Rmult_0_r; exact: Rle_refl. Qed.
+
+(** rounding.binary64 product: a product of doubles that neither over- nor underflows has a relative error of at most $2^{-53}$.
+    Hypotheses: the computed product is finite; a factor is zero, or the computed product is at least $2^{-1022}$ in size. *)
+Theorem rounding_binary64_product x y : is_finite (btimes x y) = true -> times_survives x y ->
+  rounded eps (rational x * rational y) (rational (btimes x y)).
+Proof.
+move=> h normal; apply: (rounded_of_real (real_product x y) (real_rational _)); rewrite (times_round h).
+case: normal => [/zero_value->|/zero_value->|/normal_value].
+- by rewrite Rmult_0_l.
+- by rewrite Rmult_0_r.
+by rewrite (times_round h); exact: rounded_normal.
+Qed.
+
+(** rounding.binary64 quotient: so has a quotient.
+    Hypotheses: the computed quotient and the divisor are finite; the dividend is zero, or the computed quotient is at least $2^{-1022}$ in size. *)
+Theorem rounding_binary64_quotient x y : is_finite (bover x y) = true -> is_finite y = true -> over_survives x y ->
+  rational y != 0 /\ rounded eps (rational x / rational y) (rational (bover x y)).
+Proof.
+move=> h hy normal; have [_ ny] := finite_over h hy.
+have y0 : rational y != 0 by apply/eqP=> y0; apply: ny; exact: zero_value.
+split; first exact: y0.
+apply: (rounded_of_real (real_quotient x y0) (real_rational _)); rewrite (over_round h hy).
+case: normal => [/zero_value->|/normal_value]; first by rewrite /Rdiv Rmult_0_l.
+by rewrite (over_round h hy); exact: rounded_normal.
+Qed.
+End Model.

@@ -1,0 +1,114 @@
+(* The a-priori bound for the bits that a processor computes.
+   Definitions:
+     survives ...     of the results that lead to the vertex N the last and the divisors are finite, and no product or quotient underflows *)
+From Coq Require Import ZArith Reals Psatz.
+From Flocq Require Import Core BinarySingleNaN.
+From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
+From Torse Require Import Points FJ07_3_net Rounding Rounding_net Binary64 Rounding_binary64.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import Order.TTheory GRing.Theory Num.Theory.
+Local Open Scope ring_scope.
+Delimit Scope R_scope with Re.
+
+Local Notation eps := unit_roundoff.
+Section Steps.
+Variables (L M : number) (near far p : nat -> number) (d : number) (N : nat).
+Local Notation r := (ruling doubles L M near far p d).
+Local Notation side j := (bminus (p j.+1) (p j)).
+Local Notation gap := (bminus L M).
+Local Notation moved j := (btimes (side j) gap).
+Local Notation passed j := (btimes (bminus M (near j)) (r j)).
+Local Notation divisor j := (bminus M (far j)).
+
+Definition survives := is_finite (vertex doubles L M near far p d N) = true /\ forall j, (j < N)%N ->
+  [/\ is_finite (divisor j) = true, times_survives (side j) gap, times_survives (bminus M (near j)) (r j) & over_survives (bplus (moved j) (passed j)) (divisor j)].
+
+Hypothesis ok : survives.
+
+Lemma finite_step j : (j < N)%N -> is_finite (r j.+1) = true -> [/\ is_finite (bplus (moved j) (passed j)) = true, is_finite (moved j) = true,
+  is_finite (passed j) = true, is_finite (r j) = true & is_finite (side j) = true /\ is_finite gap = true /\ is_finite (bminus M (near j)) = true].
+Proof.
+move=> lt_j fr; have [_ /(_ j lt_j) [fd _ _ _]] := ok; have [fs _] := finite_over fr fd.
+have [fm fp] := finite_plus fs; have [fe fg] := finite_times fm; have [fn fj] := finite_times fp.
+by split; [exact: fs | exact: fm | exact: fp | exact: fj | split; [exact: fe | split; [exact: fg | exact: fn]]].
+Qed.
+
+Hypothesis pos : (0 < N)%N.
+
+Lemma finite_last : is_finite (bplus (p N) (r N)) = true.
+Proof. by have [] := ok; case: (N) pos. Qed.
+
+Lemma finite_rulings j : (j <= N)%N -> is_finite (r j) = true.
+Proof.
+move=> le_j; rewrite -(subKn le_j); elim: (N - j)%N (leq_subr j N) => [|k ih] lt_k.
+  by rewrite subn0; have [_ h] := finite_plus finite_last; exact: h.
+have lt : (N - k.+1 < N)%N by lia.
+have fr : is_finite (r (N - k.+1).+1) = true by rewrite subnSK //; apply: ih; exact: ltnW.
+by have [_ _ _ h _] := finite_step lt fr; exact: h.
+Qed.
+
+Lemma off j : (j < N)%N -> rational M - rational (far j) != 0.
+Proof.
+move=> lt_j; have [_ /(_ j lt_j) [fd _ _ okq]] := ok.
+have [nz _] := rounding_binary64_quotient (finite_rulings lt_j) fd okq.
+apply/eqP=> e; case/eqP: nz; have [_ h] := rounding_binary64_sum M (far j); have := h fd; rewrite /close e normr0 mulr0 subr0 normr_le0.
+by move/eqP.
+Qed.
+
+Lemma doubles_kept : kept_vertex doubles rational eps L M near far p d N.
+Proof.
+move=> _; have [last _] := rounding_binary64_sum (p N) (r N); split; last exact: last finite_last.
+have sums x y := (rounding_binary64_sum x y).1; have diffs x y := (rounding_binary64_sum x y).2.
+split; first by apply: diffs; exact: (finite_rulings (leq0n N)).
+  have [_ _ _ _ [_ [fg _]]] := finite_step pos (finite_rulings pos); exact: diffs fg.
+move=> j lt_j side' r' moved' passed'; have [fs fm fp fr [fe [fg fn]]] := finite_step lt_j (finite_rulings lt_j).
+have [_ /(_ j lt_j) [fd okm okp okq]] := ok.
+split; [exact: diffs fe | exact: diffs fn | exact: diffs fd | exact: sums fs | split].
+- exact: (rounding_binary64_product fm okm).
+- exact: (rounding_binary64_product fp okp).
+exact: (rounding_binary64_quotient (finite_rulings lt_j) fd okq).2.
+Qed.
+End Steps.
+
+Section Nets.
+Variables (m : nat) (u : nat -> number) (n : nat) (L M : number) (c : nat -> 'I_m -> number) (dK : 'I_m -> number).
+Variables (d : nat -> 'rV[rat]_m) (K J : nat).
+Local Notation v := (fun i => rational (u i)).
+Local Notation c_ k := (fun i => rational (c i k)).
+Hypothesis start : d K = \row_k rational (dK k).
+
+(** rounding.binary64 net: the vertex $J\ge K$ that the library computes in doubles from the vertex $K$ has in each coordinate an error of at most
+    $u|d_J|+(1+u)\bigl(\gamma_{5(J-K)+1}|P(K,J)||d_K-c_K|
+    +|\Lambda^{*}-M^{*}|\sum_{i=K}^{J-1}\gamma_{5(J-i)+1}|P(i+1,J)|\frac{|c_{i+1}-c_i|}{|M^{*}-u_i|}\bigr)$ with $u=2^{-53}$, where $d$ is the exact row (13).
+    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and $M^{*}-u_i$, $K\le i<J$, are finite; each computed product and quotient is at least $2^{-1022}$
+    in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of $u_K,\dots,u_{J-1}$ follows. *)
+Theorem rounding_binary64_net k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 ->
+  (forall i, (K <= i < J)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  upwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (J - K)) ->
+  `|rational (net_from doubles u n L M (c^~ k) (dK k) K J) - d J 0 k|
+    <= eps * `|d J 0 k| + (1 + eps) * bound_up eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
+Proof.
+move=> le_KJ small cells ok; apply: (rounding_net unit_ge0 start le_KJ small) cells _.
+  move=> i range; have lt : (i - K < J - K)%N by lia.
+  by have := off ok (leq_ltn_trans (leq0n _) lt) lt; rewrite subnK //; lia.
+by move=> pos; apply: (doubles_kept ok pos).
+Qed.
+
+(** rounding.binary64 net_down: the vertex $J\le K$ has in each coordinate an error of at most
+    $u|d_J|+(1+u)\bigl(\gamma_{5(K-J)+1}|P(J,K)|^{-1}|d_K-c_K|
+    +|\Lambda^{*}-M^{*}|\sum_{i=J}^{K-1}\gamma_{5(i+1-J)+1}|P(J,i)|^{-1}\frac{|c_{i+1}-c_i|}{|M^{*}-u_{i+n}|}\bigr)$ with $u=2^{-53}$.
+    Hypotheses: as upwards, with $M^{*}-u_{i+n}$, $J\le i<K$. *)
+Theorem rounding_binary64_net_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps < 1 ->
+  (forall i, (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  downwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (K - J)) ->
+  `|rational (net_from doubles u n L M (c^~ k) (dK k) K J) - d J 0 k|
+    <= eps * `|d J 0 k| + (1 + eps) * bound_down eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
+Proof.
+move=> le_JK small cells ok; apply: (rounding_net_down unit_ge0 start le_JK small) cells _.
+  move=> i range; have lt : (K - i.+1 < K - J)%N by lia.
+  by have := off ok (leq_ltn_trans (leq0n _) lt) lt; rewrite (_ : K - (K - i.+1).+1 = i)%N //; lia.
+by move=> pos; apply: (doubles_kept ok pos).
+Qed.
+End Nets.
