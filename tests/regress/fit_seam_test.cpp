@@ -26,7 +26,8 @@ std::string turned_brim(const Q& begin) {
 
 json report_on(const std::string& rails, const Scratch& scratch) {
   const std::string report = (scratch / "report.json").string();
-  const ProgramResult result = run_program({"fit", rails, "-o", (scratch / "out.json").string(), "--json", report});
+  const ProgramResult result =
+      run_program({"fit", rails, "--coefficients", "12", "-o", (scratch / "out.json").string(), "--json", report});
   EXPECT_EQ(result.exit, 0) << result.err;
   return json::parse(slurp(report)).at("surfaces").at(0);
 }
