@@ -18,14 +18,16 @@ Implicit Types (u b : nat -> F) (n : nat).
 
 Definition slope n u b i := (b i.+1 - b i) / (u (i + n)%N - u i).
 
+Lemma velocity_slope n u b : velocity n.+1 u b = curve n (shift u) (slope n.+1 u b).
+Proof.
+rewrite /velocity /curve /= size_nseq; apply: blossom_ext => i _; rewrite /step /slope /polys /= !mul0r !sub0r subr0 mul1r mulN1r addrC.
+by rewrite -!polyCB polyCV -polyCM.
+Qed.
+
 (** BZZ19.4 derivative: $\sigma'(t)=d\sum_i\frac{\beta_{i+1}-\beta_i}{t_{i+d}-t_i}B_{i,d-1}(t)$, over the same knots without the first.
     Hypotheses: the knots carry a piece. *)
 Theorem BZZ19_4_derivative n u b : span n.+1 u -> (curve n.+1 u b)^`() = curve n (shift u) (slope n.+1 u b) *+ n.+1.
-Proof.
-move=> sp; rewrite blossoms_derivative //; congr (_ *+ _); rewrite /velocity /curve /= size_nseq.
-apply: blossom_ext => i _; rewrite /step /slope /polys /= !mul0r !sub0r subr0 mul1r mulN1r addrC.
-by rewrite -!polyCB polyCV -polyCM.
-Qed.
+Proof. by move=> sp; rewrite blossoms_derivative // velocity_slope. Qed.
 End Derivative.
 
 Section Monotone.
