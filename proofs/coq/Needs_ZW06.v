@@ -1,0 +1,182 @@
+(* ZW06: what happens without the hypotheses of the theorems, one counterexample each. *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points Bernstein Bezier ZW06 ZW06_cases ZW06_nets FJ21_4 Needs_blossoms Needs_FJ07 Needs_FJ07_curves.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Functions.
+Variable F : fieldType.
+Implicit Types (p w : 'rV[{poly F}]_3) (a b : {poly F}).
+
+(** ZW06.11 needs_rulings: without rulings, $\tau=0$, and with a constant directrix $a_1'=0$ for all $a$, $b$, also for $a=1\ne0=b'$. *)
+Theorem ZW06_11_needs_rulings (w := 0 : 'rV[{poly F}]_3) (p := 0 : 'rV[{poly F}]_3) :
+  [/\ pderiv p = 1 *: w + 0 *: pderiv w, pderiv (p - 0 *: w) = 0 & (1 : {poly F}) <> 0^`()].
+Proof.
+have d0 : pderiv (0 : 'rV[{poly F}]_3) = 0 by apply/rowP=> k; rewrite !mxE linear0.
+rewrite /p /w !scaler0 scale0r subr0 addr0 d0 linear0; split=> //.
+by apply/eqP; rewrite oner_eq0.
+Qed.
+
+(** ZW06.8 needs_turn: where $\tau\times\tau'=0$, as on a cylinder, the singular point may be no other than $a_1(u)$ or any: $\tau$ constant and
+    $a'=\tau$ make every point of the ruling singular, whatever $b$ is. *)
+Theorem ZW06_8_needs_turn u v (e : 'rV[F]_3) (w := map_mx polyC e) (p := 'X *: w) (b : {poly F}) :
+  pderiv p = 1 *: w + b *: pderiv w /\ cross (ev (pderiv p) u + v *: ev (pderiv w) u) (ev w u) = 0.
+Proof.
+have dw : pderiv w = 0 by apply/rowP=> k; rewrite !mxE derivC.
+have dp : pderiv p = w by apply/rowP=> k; rewrite !mxE derivM derivX derivC mulr0 addr0 mul1r.
+rewrite dp dw scaler0 addr0 scale1r; split=> //.
+have -> : ev (0 : 'rV[{poly F}]_3) u = 0 by apply/rowP=> k; rewrite !mxE horner0.
+by rewrite scaler0 addr0; apply: row3P; coordinates; ring.
+Qed.
+
+(** ZW06.15 needs_off: where $a(u)=b'(u)$ the tangent of $a_1$ vanishes: no multiple of it is a ruling that is not 0. *)
+Theorem ZW06_15_needs_off p w a b u : pderiv p = a *: w + b *: pderiv w -> a.[u] = b^`().[u] ->
+  ev (pderiv (edge p w b)) u = 0.
+Proof.
+move=> /ZW06_9_derivative; rewrite -/(edge p w b) => -> e.
+by apply/rowP=> k; rewrite !mxE hornerM hornerD hornerN e subrr mul0r.
+Qed.
+
+(** ZW06.10 needs_characteristic: where $n=0$ in the field ($n\ge1$), $a(u)=(u^n,0,0)$ and $\tau=(0,1,0)$ have $a'=0=b'$ with $a=b=0$, and
+    $a_1=a(u)$ is no point. *)
+Theorem ZW06_10_needs_characteristic n (p := space 'X^n 0 0 : 'rV[{poly F}]_3) (w := space 0 1 0 : 'rV[{poly F}]_3) :
+  n%:R = 0 :> F -> (0 < n)%N ->
+  pderiv p = 0 *: w + 0 *: pderiv w /\ ~ exists e : 'rV[F]_3, forall u v, ev p u + v *: ev w u = e + (v + (0 : {poly F}).[u]) *: ev w u.
+Proof.
+move=> n0 n1; split.
+  rewrite !scale0r addr0 /p pderiv_space derivXn -mulr_natl -polyC_nat n0 polyC0 mul0r linear0.
+  by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE.
+case=> e h; have := h 0 0; have := h 1 0; rewrite !horner0 !addr0 !scale0r !addr0 /p !ev_space !hornerXn => <-.
+move/(congr1 (fun r : 'rV_3 => r 0 0)); rewrite !mxE /= expr1n expr0n; case: (n) n1 => // k _ /eqP.
+by rewrite eq_sym oner_eq0.
+Qed.
+End Functions.
+
+Section Nets.
+Variable F : fieldType.
+Implicit Types (n i k : nat) (rho s : F).
+
+Let tip n : nat -> 'rV[F]_1 := fun i => const_mx (i == n)%:R.
+Let zero : nat -> 'rV[F]_1 := fun=> 0.
+
+Let pbez0 n : pbez n zero = 0.
+Proof. by apply/rowP=> k; rewrite !mxE /bez big1 // => i _; rewrite /coord mxE polyC0 mul0r. Qed.
+
+Let deriv0 : pderiv (0 : 'rV[{poly F}]_1) = 0.
+Proof. by apply/rowP=> k; rewrite !mxE linear0. Qed.
+
+(* Where C(n, i) = 0 in the field, the Bezier curve of the point i alone is 0. *)
+Let hidden n i : 'C(n, i)%:R = 0 :> F -> pbez n (tip i) = 0.
+Proof.
+move=> e; apply/rowP=> k; rewrite !mxE /bez big1_seq // => j _; rewrite /coord mxE.
+by have [->|] := eqVneq j i; rewrite ?polyC0 ?mul0r // /B -(polyC_nat F) e polyC0 mul0r mulr0.
+Qed.
+
+(** ZW06.17 needs_binomials: where $C(n,i)=0$ in the field, the points $\tau_i=1$, all others and all $p_j$ 0, solve $a'=\tau$; they are not $0$. *)
+Theorem ZW06_17_needs_binomials n i : (i <= n)%N -> 'C(n, i)%:R = 0 :> F ->
+  pderiv (pbez n zero) = pbez n (tip i) /\ tip i i <> rate n zero i.
+Proof.
+move=> le_i e; rewrite pbez0 deriv0 hidden //; split=> //; rewrite /rate /prev /zero !subrr !scaler0 addr0.
+by rewrite line1 !mxE eqxx => /eqP; rewrite oner_eq0.
+Qed.
+
+(** ZW06.16 needs_binomials: where $C(n,i)=0$ in the field, the same points solve $a'=2\tau+u\tau'$, and the recursion fails at $i$ or $i+1$. *)
+Theorem ZW06_16_needs_binomials n i : (i < n)%N -> 'C(n, i)%:R = 0 :> F ->
+  pderiv (pbez n zero) = 2%:R%:P *: pbez n (tip i) + 'X *: pderiv (pbez n (tip i)) /\
+  ~ forall j, (j <= n)%N -> (j + 2)%:R *: tip i j = rate n zero j + j%:R *: prev (tip i) j.
+Proof.
+move=> lt_i e; rewrite pbez0 hidden // deriv0 !scaler0 addr0; split=> // h.
+have rate0 j : rate n zero j = 0 by rewrite /rate /prev /zero !subrr !scaler0 addr0.
+have := h i.+1 lt_i; have := h i (ltnW lt_i); rewrite !rate0 /prev /= !line1 !mxE eqxx (gtn_eqF (ltnSn i)) !mulr1 !mulr0 !add0r.
+have -> : i%:R * (i.-1 == i)%:R = 0 :> F.
+  by case: (i) => [|k]; [rewrite mul0r | rewrite /= (ltn_eqF (ltnSn k)) mulr0].
+move=> e1 /esym e2; move/eqP: e1; rewrite addn2 -addn1 natrD.
+have -> : i.+1%:R = 0 :> F by [].
+by rewrite add0r oner_eq0.
+Qed.
+
+(** ZW06.18 needs_binomials: where $C(n,i)=0$ in the field, the points $p_i=1$, all others and all $\tau_j$ 0, solve $u\,a'=\tau+u\tau'$, and the
+    recursion fails at $i$ or $i+1$. *)
+Theorem ZW06_18_needs_binomials n i : (i < n)%N -> 'C(n, i)%:R = 0 :> F ->
+  'X *: pderiv (pbez n (tip i)) = pbez n zero + 'X *: pderiv (pbez n zero) /\
+  ~ forall j, (j <= n)%N -> j.+1%:R *: zero j = j%:R *: (tip i j - prev (tip i) j + prev zero j).
+Proof.
+move=> lt_i e; rewrite pbez0 hidden // deriv0 !scaler0 addr0; split=> // h.
+have i0 : (0 < i)%N by case: (i) e => // /eqP; rewrite bin0 oner_eq0.
+have := h i.+1 lt_i; have := h i (ltnW lt_i); rewrite /prev /zero !scaler0 !addr0 /= !line1 !mxE eqxx (gtn_eqF (ltnSn i)).
+have -> : (i.-1 == i) = false by rewrite -{2}(prednK i0) (ltn_eqF (ltnSn _)).
+rewrite subr0 sub0r mulr1 mulrN mulr1 -[i.+1]addn1 natrD => <- /eqP.
+by rewrite add0r eq_sym oppr_eq0 oner_eq0.
+Qed.
+
+Let tip_power n : pbez n (tip n) = const_mx 'X^n.
+Proof.
+apply/rowP=> k; rewrite !mxE /bez big_nat_recr //= big1_seq ?add0r => [|j]; last first.
+  by rewrite mem_index_iota => /andP[_ lt_j]; rewrite /coord mxE (ltn_eqF lt_j) polyC0 mul0r.
+by rewrite /coord mxE eqxx polyC1 mul1r /B binn subnn expr0 mulr1 mul1r.
+Qed.
+
+Let tip_deriv n : n%:R = 0 :> F -> pderiv (pbez n (tip n)) = 0.
+Proof. by move=> n0; rewrite tip_power; apply/rowP=> k; rewrite !mxE derivXn -mulr_natl -(polyC_nat F) n0 polyC0 mul0r. Qed.
+
+(** ZW06.12 needs_factorial: where $n=0$ in the field the points $\tau_n=1$, all others and all $p_j$ 0, have $\tau=u^n$, $\tau'=0$. *)
+Theorem ZW06_12_needs_factorial n rho : n.+1%:R = 0 :> F ->
+  (rho - 1)%:P *: pderiv (pbez n.+1 zero) = pderiv (pbez n.+1 (tip n.+1)) /\
+  zero n.+1 + tip n.+1 n.+1 <> zero 0%N + tip n.+1 0%N + rho *: (zero n.+1 - zero 0%N).
+Proof.
+move=> n0; rewrite pbez0 deriv0 scaler0 tip_deriv //; split=> //.
+by rewrite /zero subrr scaler0 line1 !mxE eqxx /= !(add0r, addr0) => /eqP; rewrite oner_eq0.
+Qed.
+
+(** ZW06.13 needs_binomials: where $n=0$ in the field the points $p_n=1$, all others and all $\tau_j$ 0, have $a=u^n$, $a'=0$, and the formula
+    fails for $i=n-1$. *)
+Theorem ZW06_13_needs_binomials n s : n.+1%:R = 0 :> F ->
+  pderiv (pbez n.+1 (tip n.+1)) = s%:P *: pbez n.+1 zero + s%:P *: ('X *: pderiv (pbez n.+1 zero)) /\
+  (n.+1%:R * s) *: zero n <> (n.+1 - n)%:R *: tip n.+1 n.+1 + n.+1%:R *: tip n.+1 n - n.+2%:R *: tip n.+1 0%N.
+Proof.
+move=> n0; rewrite pbez0 deriv0 tip_deriv // !scaler0 addr0; split=> //.
+rewrite n0 ?mul0r !scale0r addr0 subSnn line1 !mxE eqxx /=. rewrite mulr1 subr0 => /eqP.
+by rewrite eq_sym oner_eq0.
+Qed.
+
+(** ZW06.20 needs_factorial: where $n=0$ in the field the same $\tau=u^n$ solves the equation for $s=1$ and is not Aumann's. *)
+Theorem ZW06_20_needs_factorial n rho : n.+1%:R = 0 :> F ->
+  (rho - 1)%:P *: pderiv (pbez n.+1 zero) = (n.+1%:R * (1 - 1))%:P *: pbez n.+1 (tip n.+1) +
+    ((1 - 'X) *: pderiv (pbez n.+1 (tip n.+1)) + 1%:P *: ('X *: pderiv (pbez n.+1 (tip n.+1)))) /\
+  zero n.+1 + tip n.+1 n.+1 <> zero n + rho *: (zero n.+1 - zero n) + 1 *: (zero n + tip n.+1 n - zero n).
+Proof.
+move=> n0; rewrite pbez0 deriv0 tip_deriv // n0 mul0r polyC0 scale0r !scaler0 !addr0; split=> //.
+rewrite /zero subrr scaler0 line1 !mxE eqxx (ltn_eqF (ltnSn n)) /= !(add0r, addr0, subr0, mulr0) => /eqP.
+by rewrite oppr0 mulr0 oner_eq0.
+Qed.
+
+(** ZW06.12 needs_rho: for $\rho=1$ the points $q_i=q_0+(p_i-p_0)$ have a constant $\tau$, and $a'=b\tau'=0$ for no $b$: $p=(0,1)$, $n=1$. *)
+Theorem ZW06_12_needs_rho (p := on_line [:: 0; 1 : F]) (b : {poly F}) :
+  pderiv (pbez 1 p) <> b *: pderiv (pbez 1 zero).
+Proof.
+rewrite pbez0 deriv0 scaler0 => /rowP/(_ 0); rewrite !mxE.
+have -> : bez 1 (coord p 0) = 'X.
+  rewrite /bez big_nat_recr //= big_nat1 /coord !mxE /= polyC0 mul0r add0r polyC1 mul1r /B binn subnn expr0 expr1.
+  by rewrite mulr1 mul1r.
+by rewrite derivX => /eqP; rewrite oner_eq0.
+Qed.
+
+(** ZW06.13 needs_s: for $s=0$ the equation $a'=0$ has no solution over a directrix that is no point: $p=(0,1)$, $n=1$. *)
+Theorem ZW06_13_needs_s (p := on_line [:: 0; 1 : F]) tau :
+  pderiv (pbez 1 p) <> (0 : F)%:P *: pbez 1 tau + ((0 : F)%:P * 'X) *: pderiv (pbez 1 tau).
+Proof.
+by rewrite polyC0 mul0r !scale0r addr0 => e; apply: (@ZW06_12_needs_rho 0); rewrite scale0r.
+Qed.
+
+(** ZW06.20 fj07_needs_s: for $s=1$ no $\Lambda,M$ will do: $p_0=p_1=0$, $q_0=q_1=1$ obey Aumann's equation for every $\rho$ and (12) for none. *)
+Theorem ZW06_20_fj07_needs_s (p := on_line [:: 0; 0 : F]) (q := on_line [:: 1; 1 : F]) :
+  (forall rho, q 1%N = p 0%N + rho *: (p 1%N - p 0%N) + 1 *: (q 0%N - p 0%N)) /\
+  forall L M : F, (1 - L) *: p 0%N + L *: p 1%N <> (1 - M) *: q 0%N + M *: q 1%N.
+Proof.
+split=> [rho|L M]; rewrite line1 !mxE /=; first by ring.
+by move/eqP; rewrite !mulr0 addr0 !mulr1 subrK eq_sym oner_eq0.
+Qed.
+End Nets.
