@@ -29,10 +29,13 @@ Spline<S, P> with_multiplicity(Spline<S, P> curve, const S& t, int times) {
   return curve;
 }
 
-/// The part of a curve between two parameters a < b of its domain, with n-fold knots at both. Throws InvalidInput for
-/// parameters outside the domain.
+/// The part of a curve between two parameters a < b of its domain, with n-fold knots at both. Throws InvalidInput naming
+/// "t" for parameters outside the domain and unless a < b.
 template <OrderedField S, class P>
 Spline<S, P> restrict_spline(const Spline<S, P>& curve, const S& a, const S& b) {
+  if (definitely(!less(a, b))) {
+    throw InvalidInput("t", "expected a part of positive length, found [" + as_text(a) + ", " + as_text(b) + "]");
+  }
   const int n = curve.knots.degree();
   const Spline<S, P> fine = with_multiplicity(with_multiplicity(curve, a, n), b, n);
   const std::vector<S>& u = fine.knots.list();

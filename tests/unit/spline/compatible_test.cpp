@@ -51,6 +51,8 @@ TEST(Compatible, APartHasItsEndsAndIsTheSameCurve) {
     }
   }
   EXPECT_THROW(restrict_spline(curve, q(-1), q(1)), InvalidInput);
+  EXPECT_THROW(restrict_spline(curve, q(2), q(1)), InvalidInput);
+  EXPECT_THROW(restrict_spline(curve, q(1), q(1)), InvalidInput);
 }
 
 TEST(Compatible, ReversedAndReparametrized) {
