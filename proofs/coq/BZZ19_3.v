@@ -85,18 +85,12 @@ rewrite pmulrn_lge0 // -map_nseq; apply: blossom_ge0 => [s|i]; rewrite size_nseq
 move=> le_i; apply: slope_ge0 => //; case: inside => lo hi; apply: le_trans (lo i _) (hi _ _); lia.
 Qed.
 
-(** BZZ19.5 monotone: then $\sigma(s)\le\sigma(t)$ for $s\le t$ on the piece, over any ordered field.
-    Hypotheses: $s$ and $t$ lie on the piece (for $s<t$ the knots then carry it).
-    Paper: says that monotone coefficients make the surface free of self-intersections; they make $\sigma$ monotone, no more. *)
-Theorem BZZ19_5_monotone n u b s t : within n.+1 u s -> within n.+1 u t -> s <= t ->
-  (forall i, (i <= n)%N -> b i <= b i.+1) -> (curve n.+1 u b).[s] <= (curve n.+1 u b).[t].
+(* The blossom of k arguments t and l arguments s does not decrease where an s becomes a t. *)
+Lemma mixed_le n u b s t k l : span n.+1 u -> within n.+1 u s -> within n.+1 u t -> s <= t ->
+  (forall i, (i <= n)%N -> b i <= b i.+1) -> (k + l = n.+1)%N ->
+  blossom u b (nseq k (at_ t) ++ nseq l (at_ s)) <= blossom u b (nseq n.+1 (at_ t)).
 Proof.
-move=> in_s in_t; rewrite le_eqVlt => /orP[/eqP -> //|lt_st] up; have le_st := ltW lt_st.
-have sp : span n.+1 u by apply: within_span in_s in_t.
-rewrite !horner_curve //.
-have nseqS T k (x : T) w : nseq k.+1 x ++ w = nseq k x ++ x :: w by elim: k => //= k ->.
-suff mono k l : (k + l = n.+1)%N -> blossom u b (nseq k (at_ t) ++ nseq l (at_ s)) <= blossom u b (nseq n.+1 (at_ t)).
-  exact: (mono 0%N n.+1).
+move=> sp in_s in_t le_st up; have nseqS T i (x : T) w : nseq i.+1 x ++ w = nseq i x ++ x :: w by elim: i => //= i ->.
 elim: l k => [|l ih] k sz; first by rewrite cats0 -sz addn0.
 apply: le_trans (ih k.+1 _); last by rewrite addSnnS.
 have -> : nseq k.+1 (at_ t) ++ nseq l (at_ s) = nseq k (at_ t) ++ comb 1 (at_ s) (t - s) (direction F) :: nseq l (at_ s).
@@ -106,6 +100,17 @@ rewrite blossom_move ?size_nseq -?addnS ?sz // (@direction_first n) ?size_cat ?s
 rewrite -!map_nseq -map_cat; apply: blossom_ge0 => [x|i]; rewrite size_cat !size_nseq (_ : (k + l = n)%N); try lia.
   by rewrite mem_cat !mem_nseq => /orP[] /andP[_ /eqP ->]; apply: within_shift.
 by move=> le_i; apply: slope_ge0 => //; case: in_s => lo hi; apply: le_trans (lo i _) (hi _ _); lia.
+Qed.
+
+(** BZZ19.5 monotone: then $\sigma(s)\le\sigma(t)$ for $s\le t$ on the piece, over any ordered field.
+    Hypotheses: $s$ and $t$ lie on the piece (for $s<t$ the knots then carry it).
+    Paper: says that monotone coefficients make the surface free of self-intersections; they make $\sigma$ monotone, no more. *)
+Theorem BZZ19_5_monotone n u b s t : within n.+1 u s -> within n.+1 u t -> s <= t ->
+  (forall i, (i <= n)%N -> b i <= b i.+1) -> (curve n.+1 u b).[s] <= (curve n.+1 u b).[t].
+Proof.
+move=> in_s in_t; rewrite le_eqVlt => /orP[/eqP -> //|lt_st] up.
+have sp := within_span lt_st in_s in_t; rewrite !horner_curve //.
+exact: (@mixed_le _ _ _ _ _ 0 n.+1 sp in_s in_t (ltW lt_st) up).
 Qed.
 End Monotone.
 
