@@ -5,6 +5,7 @@
 #include "torse/developable/cells.hpp"
 #include "torse/developable/closed_forms.hpp"
 #include "torse/developable/condition.hpp"
+#include "torse/developable/directrix_nets.hpp"
 #include "torse/developable/pieces.hpp"
 #include "torse/developable/regression.hpp"
 #include "torse/developable/ruled.hpp"
@@ -181,6 +182,16 @@ const std::map<std::string, Function>& functions() {
       {"unelevated", [](P p) { return factors(p, unelevated<Q>); }},
       {"elevated_functions", [](P p) { return factors(p, elevated_functions<Q>); }},
       {"rational_net", rational_row},
+      {"cone_net",
+       [](P p) { return Answer() << cone_net<Q, Point3>(p.points<3>("c"), p.number("x"), p.point<3>("d")); }},
+      {"start_cone_net", [](P p) { return Answer() << start_cone_net<Q, Point3>(p.points<3>("c"), p.number("s")); }},
+      {"mean_tangent_net", [](P p) { return Answer() << mean_tangent_net<Q, Point3>(p.points<3>("c")); }},
+      {"tangent_net", [](P p) { return Answer() << tangent_net<Q, Point3>(p.points<3>("c")); }},
+      {"mean_chord_net", [](P p) { return Answer() << mean_chord_net<Q, Point3>(p.points<3>("c")); }},
+      {"affine_net",
+       [](P p) {
+         return Answer() << affine_net<Q, Point3>(p.points<3>("c"), p.number("x"), p.number("s"), p.point<3>("d"));
+       }},
   };
   return table;
 }

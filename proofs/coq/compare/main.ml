@@ -52,6 +52,9 @@ let with_factors program p = match numbers p "x", numbers p "f", numbers p "g" w
   | [a; b; c], [f0; f1], [g0; g1] -> of_point (program field (integer p "n") (number p "t") a b c f0 f1 g0 g1)
   | _ -> failwith "x"
 
+(* A Bezier curve c, whose row is always there. *)
+let of_directrix program p = of_points (Value (program field (space 3) (points p "c")))
+
 let x p = List.nth p 0 and y p = List.nth p 1 and z p = List.nth p 2
 
 let programs = [
@@ -84,6 +87,12 @@ let programs = [
   "edge", functions edge_program;
   "unelevated", with_factors unelevated_program;
   "elevated_functions", with_factors elevated_program;
+  "cone_net", (fun p -> of_points (Value (cone_program (space 3) (points p "c") (number p "x") (point p "d"))));
+  "start_cone_net", (fun p -> of_points (start_cone_program field (space 3) (points p "c") (number p "s")));
+  "mean_tangent_net", of_directrix mean_tangent_program;
+  "tangent_net", of_directrix tangent_program;
+  "mean_chord_net", of_directrix mean_chord_program;
+  "affine_net", (fun p -> of_points (Value (affine_net_program (space 3) (points p "c") (number p "x") (number p "s") (point p "d"))));
   "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
 ]
 

@@ -252,6 +252,11 @@ def rational_net(draw):
     return {"n": draw.n, "u": u, "c": c, "L": lam, "M": m, "s": 0 if draw.random.random() < 0.05 else draw.number(), "d": draw.point(4)}
 
 
+def directrix(draw):
+    """A Bezier curve, a factor, another that is sometimes 0, and a first point."""
+    return bezier(draw) | {"x": draw.random.choice((1, draw.number())), "s": 0 if draw.random.random() < 0.1 else draw.number(), "d": draw.point()}
+
+
 of_numbers = ["random", "huge fractions"]
 of_rows = ["random", "zero edges", "collinear points", "huge fractions"]
 functions = {
@@ -285,10 +290,17 @@ functions = {
     "unelevated": (of_numbers, at_parameter),
     "elevated_functions": (of_numbers, at_parameter),
     "rational_net": (of_nets, rational_net),
+    "cone_net": (of_rows, directrix),
+    "start_cone_net": (of_rows, directrix),
+    "mean_tangent_net": (of_rows, directrix),
+    "tangent_net": (of_rows, directrix),
+    "mean_chord_net": (of_rows, directrix),
+    "affine_net": (of_rows, directrix),
 }
+total = {"restrict_rulings", "cone_net", "mean_tangent_net", "tangent_net", "mean_chord_net", "affine_net"}
 # The classes and functions where every answer is an error, and where some are; in no class or function else are all.
 all_errors = {"missing points", "M* at a knot"}
-with_errors = {"bad knots"} | set(functions) - {"restrict_rulings"}
+with_errors = {"bad knots"} | set(functions) - total
 
 
 def problems(seed, count):
