@@ -2,7 +2,8 @@
    rest on axioms: those of Coq's real numbers, in terms of which Flocq says what rounding is.
    Definitions:
      number     a binary64: 53 bits, exponents up to 1024; infinities, a NaN and both zeros among them
-     bplus, bminus, btimes, bover   its operations, rounded to nearest, ties to even *)
+     bplus, bminus, btimes, bover   its operations, rounded to nearest, ties to even
+     zero, one, half, tiny          0, 1, 1/2 and the least double 2^-1074 *)
 From Coq Require Import ZArith Reals Psatz.
 From Flocq Require Import Core BinarySingleNaN Relative Plus_error.
 
@@ -51,10 +52,12 @@ Lemma finite_minus x y : is_finite (bminus x y) = true -> is_finite x = true /\ 
 Proof. finite_cases x y. Qed.
 Lemma finite_times x y : is_finite (btimes x y) = true -> is_finite x = true /\ is_finite y = true.
 Proof. finite_cases x y. Qed.
-Lemma finite_over x y : is_finite (bover x y) = true -> is_finite y = true -> is_finite x = true /\ B2R y <> 0.
-Proof.
-finite_cases x y; intros _ _; split; try easy; apply F2R_neq_0; destruct sy; easy.
-Qed.
+Lemma finite_over x y : is_finite (bover x y) = true -> is_finite x = true.
+Proof. finite_cases x y. Qed.
+Lemma divisor_neq0 x y : is_finite (bover x y) = true -> is_finite y = true -> B2R y <> 0.
+Proof. finite_cases x y; intros _ _; apply F2R_neq_0; destruct sy; easy. Qed.
+Lemma infinite_divisor x y : is_finite (bover x y) = true -> is_finite y = false -> B2R (bover x y) = 0.
+Proof. finite_cases x y. Qed.
 
 Lemma plus_close x y : is_finite (bplus x y) = true -> Rabs (B2R (bplus x y) - (B2R x + B2R y)) <= unit * Rabs (B2R x + B2R y).
 Proof.
@@ -72,6 +75,13 @@ destruct Rlt_bool.
 destruct c as [c _]; exfalso; unfold bminus in h; rewrite <- is_finite_SF_B2SF in h; rewrite c in h; easy.
 Qed.
 
+Lemma overflown_difference x y : is_finite x = true -> is_finite y = true -> is_finite (bminus x y) = false -> B2R x <> B2R y.
+Proof.
+intros hx hy h e; assert (c := Bminus_correct 53 1024 _ _ mode_NE x y hx hy).
+rewrite e, Rminus_eq_0, round_0, Rabs_R0, Rlt_bool_true in c; [|apply bpow_gt_0|apply valid_rnd_round_mode].
+destruct c as [_ [c _]]; unfold bminus in h; rewrite h in c; easy.
+Qed.
+
 Lemma times_round x y : is_finite (btimes x y) = true -> B2R (btimes x y) = rnd (B2R x * B2R y).
 Proof.
 intros h; assert (c := Bmult_correct 53 1024 _ _ mode_NE x y).
@@ -81,7 +91,7 @@ Qed.
 
 Lemma over_round x y : is_finite (bover x y) = true -> is_finite y = true -> B2R (bover x y) = rnd (B2R x / B2R y).
 Proof.
-intros h hy; destruct (finite_over _ _ h hy) as [_ ny]; assert (c := Bdiv_correct 53 1024 _ _ mode_NE x y ny).
+intros h hy; assert (ny := divisor_neq0 x y h hy); assert (c := Bdiv_correct 53 1024 _ _ mode_NE x y ny).
 destruct Rlt_bool; [easy|].
 exfalso; unfold bover in h; rewrite <- is_finite_SF_B2SF in h; rewrite c in h; easy.
 Qed.
@@ -100,4 +110,19 @@ Arguments over_round {x y} _ _.
 Arguments finite_plus {x y} _.
 Arguments finite_minus {x y} _.
 Arguments finite_times {x y} _.
-Arguments finite_over {x y} _ _.
+Arguments finite_over {x y} _.
+Arguments divisor_neq0 {x y} _ _.
+Arguments infinite_divisor {x y} _ _.
+Arguments overflown_difference {x y} _ _ _.
+
+Definition zero : number := B754_zero false.
+Definition one : number := @B754_finite 53 1024 false 4503599627370496 (-52) eq_refl.
+Definition half : number := @B754_finite 53 1024 false 4503599627370496 (-53) eq_refl.
+Definition tiny : number := @B754_finite 53 1024 false 1 (-1074) eq_refl.
+
+Lemma one_value : B2R one = 1%R.
+Proof. unfold B2R, F2R; simpl; lra. Qed.
+Lemma half_value : B2R half = (/ 2)%R.
+Proof. unfold B2R, F2R; simpl; lra. Qed.
+Lemma tiny_value : (0 < B2R tiny)%R.
+Proof. apply F2R_gt_0; easy. Qed.

@@ -6,9 +6,8 @@
      arithmetic T      four operations on T, which may round;  exactly F   those of a field
      next_ruling, ruling, vertex   the recursion FJ07.13.rulings in one coordinate, operation by operation as the library computes it, from
                        the vertex d beside p_0 past p_1, p_2, ..., where near_j and far_j are the knots of step j
-     kept A val ...    the model holds for each operation of the first N steps, val being the value of a T
-     perturbed x j     a step of the recursion with rounding factors
-     across a b i N    the product of a_j / b_j for i <= j < N
+     kept A val ...    the model holds for each operation of the first N steps, or else 0 / x = 0; val being the value of a T
+     perturbed x j     a step of the recursion with rounding factors;  across a b i N   the product of a_j / b_j for i <= j < N
      spread ...        the bound of the error of a ruling: the terms of FJ07.16, each in absolute value and times its gamma *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 Set Implicit Arguments.
@@ -45,13 +44,11 @@ Section Factors.
 Variable eps : F.
 Hypothesis range : 0 <= eps < 1.
 Let eps_ge0 : 0 <= eps. Proof. by case/andP: range. Qed.
-Let eps_lt1 : eps < 1. Proof. by case/andP: range. Qed.
-Let base_gt0 : 0 < 1 - eps. Proof. by rewrite subr_gt0. Qed.
+Let base_gt0 : 0 < 1 - eps. Proof. by rewrite subr_gt0; case/andP: range. Qed.
 Let power_gt0 k : 0 < (1 - eps) ^+ k. Proof. exact: exprn_gt0. Qed.
 
 Lemma factor_gt0 k t : factor eps k t -> 0 < t.
 Proof. by case/andP=> lo _; exact: lt_le_trans (power_gt0 k) lo. Qed.
-
 Lemma factor_mul j k s t : factor eps j s -> factor eps k t -> factor eps (j + k) (s * t).
 Proof.
 move=> hs ht; have [s0 t0] := (ltW (factor_gt0 hs), ltW (factor_gt0 ht)).
@@ -66,13 +63,15 @@ move=> ht; have t0 := factor_gt0 ht; case/andP: ht => lo up; apply/andP; split.
 by rewrite lef_pinv // posrE.
 Qed.
 
+Lemma factor1 : factor eps 1 1.
+Proof. by rewrite /factor expr1 ler_subl_addr ler_addl eps_ge0 /= invf_ge1 // ler_subl_addr ler_addl. Qed.
+
 Lemma rounded_factor x y : rounded eps x y -> exists2 t, factor eps 1 t & y = x * t.
 Proof.
-have one : factor eps 1 1 by rewrite /factor expr1 ler_subl_addr ler_addl eps_ge0 /= invf_ge1 // ler_subl_addr ler_addl.
 have [->|x0] := eqVneq x 0.
-  rewrite /rounded /close normr0 mulr0 sub0r normrN subr0 => h; exists 1 => //; rewrite mul0r.
+  rewrite /rounded /close normr0 mulr0 sub0r normrN subr0 => h; exists 1; rewrite ?mul0r; first exact: factor1.
   apply/eqP; rewrite -normr_le0; case: h => // h; rewrite leNgt; apply/negP=> y0.
-  by move: h; rewrite leNgt -[X in _ < X]mul1r ltr_pmul2r // eps_lt1.
+  by move: h; rewrite leNgt -[X in _ < X]mul1r ltr_pmul2r // -subr_gt0 base_gt0.
 move=> h; exists (y / x); last by rewrite mulrC divfK.
 have {h}: `|y / x - 1| <= eps \/ `|y / x - 1| <= eps * `|y / x|.
   have e : y / x - 1 = (y - x) / x by rewrite mulrBl divff.
@@ -81,12 +80,11 @@ have {h}: `|y / x - 1| <= eps \/ `|y / x - 1| <= eps * `|y / x|.
   by rewrite mulrA ler_pdivr_mulr // divfK ?gt_eqF // distrC.
 move: (y / x) => t; rewrite /factor expr1; have inv_ge : 1 + eps <= (1 - eps)^-1.
   by rewrite -[X in _ <= X]mul1r ler_pdivl_mulr // mulrC -subr_sqr expr1n ler_subl_addr ler_addl sqr_ge0.
-case.
-  by rewrite ler_distl => /andP[-> up]; apply: le_trans up inv_ge.
+case; first by rewrite ler_distl => /andP[-> up]; apply: le_trans up inv_ge.
 have [t0|t0] := leP t 0.
   have t1 : 0 <= 1 - t by rewrite subr_ge0 (le_trans t0) ?ler01.
   rewrite distrC (ger0_norm t1) (ler0_norm t0) => h; exfalso.
-  have : 1 - t <= - t by apply: le_trans h _; rewrite ler_pimull ?oppr_ge0 // ltW.
+  have : 1 - t <= - t by apply: le_trans h _; rewrite ler_pimull ?oppr_ge0 // ltW // -subr_gt0.
   by rewrite -subr_ge0 opprB addrA addNr sub0r oppr_ge0 leNgt ltr01.
 rewrite (gtr0_norm t0) ler_distl => /andP[lo up]; apply/andP; split.
   have h : 1 <= t * (1 + eps) by rewrite mulrDr mulr1 mulrC -ler_subl_addr.
@@ -125,10 +123,11 @@ Variables (L M : T) (near far p : nat -> T) (d : T).
 Definition kept N := [/\ close eps (val d - val (p 0%N)) (val (minus A d (p 0%N))), close eps (val L - val M) (val (minus A L M)) &
   forall j, (j < N)%N -> let side := minus A (p j.+1) (p j) in let r := ruling A L M near far p d j in
     let moved := times A side (minus A L M) in let passed := times A (minus A M (near j)) r in
+    let sum := plus A moved passed in let divisor := minus A M (far j) in let quotient := ruling A L M near far p d j.+1 in
     [/\ close eps (val (p j.+1) - val (p j)) (val side), close eps (val M - val (near j)) (val (minus A M (near j))),
-      close eps (val M - val (far j)) (val (minus A M (far j))), close eps (val moved + val passed) (val (plus A moved passed)) &
-    [/\ rounded eps (val side * val (minus A L M)) (val moved), rounded eps (val (minus A M (near j)) * val r) (val passed) &
-      rounded eps (val (plus A moved passed) / val (minus A M (far j))) (val (ruling A L M near far p d j.+1))]]].
+      rounded eps (val side * val (minus A L M)) (val moved), rounded eps (val (minus A M (near j)) * val r) (val passed) &
+      close eps (val moved + val passed) (val sum) /\
+      (close eps (val M - val (far j)) (val divisor) /\ rounded eps (val sum / val divisor) (val quotient) \/ val sum = 0 /\ val quotient = 0)]].
 
 Hypothesis range : 0 <= eps < 1.
 
@@ -139,18 +138,20 @@ Theorem rounding_cell N j : kept N -> (j < N)%N -> val M - val (far j) != 0 -> e
   val (ruling A L M near far p d j.+1) = ((val L - val M) * (val (p j.+1) - val (p j)) * s
     + (val M - val (near j)) * val (ruling A L M near far p d j) * t) / (val M - val (far j))].
 Proof.
-case=> _ hg steps lt_j nz; have [hs hn hf ha [hm hp hr]] := steps j lt_j.
+case=> _ hg steps lt_j nz; have [hs hn hm hp [ha hq]] := steps j lt_j.
 have [g fg eg] := rounded_factor range (or_introl hg); have [s fs es] := rounded_factor range (or_introl hs).
-have [a fa ea] := rounded_factor range (or_introl hn); have [b fb eb] := rounded_factor range (or_introl hf).
-have [w fw ew] := rounded_factor range (or_introl ha); have [x fx ex] := rounded_factor range hm.
-have [y fy ey] := rounded_factor range hp; have [q fq eq] := rounded_factor range hr.
-have fbq := factor_mul range (factor_inv range fb) fq.
-exists (s * g * x * w * (b^-1 * q)), (a * y * w * (b^-1 * q)); split.
-- exact: (factor_mul range (factor_mul range (factor_mul range (factor_mul range fs fg) fx) fw) fbq).
-- exact: (factor_mul range (factor_mul range (factor_mul range fa fy) fw) fbq).
-have b0 := lt0r_neq0 (factor_gt0 range fb).
-rewrite eq ew ex ey eb es eg ea; move: (val _) (val _ - val _) nz => r v nz.
-by field; rewrite nz b0.
+have [a fa ea] := rounded_factor range (or_introl hn); have [w fw ew] := rounded_factor range (or_introl ha).
+have [x fx ex] := rounded_factor range hm; have [y fy ey] := rounded_factor range hp.
+set sum := plus A _ _ in ew hq; set quotient := ruling _ _ _ _ _ _ _ _.
+have [z fz eq] : exists2 z, factor eps 2 z & val quotient = val sum / (val M - val (far j)) * z.
+  case: hq => [[hf hr]|[-> ->]]; last by exists (1 * 1); rewrite ?mul0r //; exact: (factor_mul range (factor1 range) (factor1 range)).
+  have [b fb eb] := rounded_factor range (or_introl hf); have [q fq eq] := rounded_factor range hr.
+  exists (b^-1 * q); first exact: (factor_mul range (factor_inv range fb) fq).
+  by rewrite eq eb invfM !mulrA.
+exists (s * g * x * w * z), (a * y * w * z); split.
+- exact: (factor_mul range (factor_mul range (factor_mul range (factor_mul range fs fg) fx) fw) fz).
+- exact: (factor_mul range (factor_mul range (factor_mul range fa fy) fw) fz).
+by rewrite eq ew ex ey es eg ea; move: (val _) (val _ - val _) nz => r v nz; field.
 Qed.
 End Steps.
 
@@ -186,8 +187,7 @@ End Unrolled.
 
 Section Bound.
 Variables (T : Type) (A : arithmetic T) (val : T -> F) (eps : F).
-Variables (L M : T) (near far p : nat -> T) (d : T).
-Variable N : nat.
+Variables (L M : T) (near far p : nat -> T) (d : T) (N : nat).
 Local Notation gap := (val L - val M).
 Local Notation a := (fun j => val M - val (near j)).
 Local Notation b := (fun j => val M - val (far j)).

@@ -18,6 +18,7 @@ Delimit Scope R_scope with Re.
 
 Section Values.
 Definition real (x : rat) : R := (IZR (Z_of_int (numq x)) / IZR (Z_of_int (denq x)))%Re.
+Arguments real x%R.
 
 Lemma IZR_neq0 (b : int) : b != 0 -> IZR (Z_of_int b) <> 0%Re.
 Proof. by move=> nz /eq_IZR_R0 e; case/eqP: nz; lia. Qed.
@@ -32,14 +33,14 @@ have := congr1 (fun z => IZR (Z_of_int z)) e; rewrite !rmorphM /= !mult_IZR => {
 by apply: quotient_eq => //; exact: IZR_neq0.
 Qed.
 
-Lemma realD x y : real (x + y) = (real x + real y)%Re.
+Lemma real_add x y : real (x + y) = (real x + real y)%Re.
 Proof.
 rewrite -{1}[x]divq_num_den -{1}[y]divq_num_den addf_div ?intr_eq0 ?denq_neq0 //.
 rewrite -!intrM -intrD real_frac ?mulf_neq0 ?denq_neq0 // rmorphD !rmorphM plus_IZR !mult_IZR.
 by apply: quotient_sum; apply: IZR_neq0; exact: denq_neq0.
 Qed.
 
-Lemma realM x y : real (x * y) = (real x * real y)%Re.
+Lemma real_mul x y : real (x * y) = (real x * real y)%Re.
 Proof.
 rewrite -{1}[x]divq_num_den -{1}[y]divq_num_den mulf_div -!intrM real_frac ?mulf_neq0 ?denq_neq0 //.
 rewrite !rmorphM !mult_IZR.
@@ -49,11 +50,11 @@ Qed.
 Lemma real_int (z : int) : real z%:~R = IZR (Z_of_int z).
 Proof. by rewrite /real numq_int denq_int /= /Rdiv Rinv_1 Rmult_1_r. Qed.
 
-Lemma realN x : real (- x) = (- real x)%Re.
+Lemma real_opp x : real (- x) = (- real x)%Re.
 Proof. by rewrite /real numqN denqN rmorphN opp_IZR /Rdiv Ropp_mult_distr_l. Qed.
 
-Lemma realB x y : real (x - y) = (real x - real y)%Re.
-Proof. by rewrite realD realN. Qed.
+Lemma real_sub x y : real (x - y) = (real x - real y)%Re.
+Proof. by rewrite real_add real_opp. Qed.
 
 Lemma real_pos x : 0 < x -> (0 < real x)%Re.
 Proof.
@@ -63,31 +64,37 @@ Qed.
 
 Lemma real_le x y : (real x <= real y)%Re -> x <= y.
 Proof.
-move=> h; rewrite leNgt; apply/negP; rewrite -subr_gt0 => /real_pos; rewrite realB.
+move=> h; rewrite leNgt; apply/negP; rewrite -subr_gt0 => /real_pos; rewrite real_sub.
 by move=> h'; lra.
 Qed.
 
-Lemma real_mono x y : x <= y -> (real x <= real y)%Re.
+Lemma real_increasing x y : x <= y -> (real x <= real y)%Re.
 Proof.
 rewrite le_eqVlt => /orP[/eqP->|]; first exact: Rle_refl.
-by rewrite -subr_gt0 => /real_pos; rewrite realB; lra.
+by rewrite -subr_gt0 => /real_pos; rewrite real_sub; lra.
 Qed.
+
+Lemma real_gt0 x : (0 < real x)%Re -> 0 < x.
+Proof. by move=> h; rewrite ltNge; apply/negP=> /real_increasing; rewrite (real_int 0) => h'; exact: (Rlt_irrefl _ (Rlt_le_trans _ _ _ h h')). Qed.
+
+Lemma real_inj x y : real x = real y -> x = y.
+Proof. by move=> e; apply/le_anti/andP; split; apply: real_le; rewrite e; exact: Rle_refl. Qed.
 
 Lemma real_norm x : real `|x| = Rabs (real x).
 Proof.
 have [x0|x0|->] := ltrgt0P x.
 - by rewrite Rabs_pos_eq //; exact/Rlt_le/real_pos.
-- by rewrite realN Rabs_left //; move: x0; rewrite -oppr_gt0 => /real_pos; rewrite realN; lra.
+- by rewrite real_opp Rabs_left //; move: x0; rewrite -oppr_gt0 => /real_pos; rewrite real_opp; lra.
 by rewrite (real_int 0) Rabs_R0.
 Qed.
 
 Lemma real_neq0 x : x != 0 -> real x <> 0%Re.
 Proof. by rewrite -normr_gt0 => /real_pos; rewrite real_norm => h e; move: h; rewrite e Rabs_R0; exact: Rlt_irrefl. Qed.
 
-Lemma realV x : x != 0 -> real x^-1 = (/ real x)%Re.
+Lemma real_inv x : x != 0 -> real x^-1 = (/ real x)%Re.
 Proof.
 move=> nz; apply: (Rmult_eq_reg_r (real x)); last exact: real_neq0.
-by rewrite -realM mulVf // Rinv_l ?(real_int 1) //; exact: real_neq0.
+by rewrite -real_mul mulVf // Rinv_l ?(real_int 1) //; exact: real_neq0.
 Qed.
 
 Lemma real_power (e : int) : real (2%:R ^ e) = bpow radix2 (Z_of_int e).
@@ -95,9 +102,9 @@ Proof.
 have two : real 2%:R = 2%Re by rewrite (real_int 2).
 have nat_power k : real (2%:R ^+ k) = bpow radix2 (Z.of_nat k).
   elim: k => [|k ih]; first by rewrite expr0 (real_int 1).
-  by rewrite exprS realM ih two Nat2Z.inj_succ bpow_plus_1.
+  by rewrite exprS real_mul ih two Nat2Z.inj_succ bpow_plus_1.
 case: e => k; first by rewrite -exprnP nat_power.
-rewrite NegzE -exprnN realV ?expf_neq0 // nat_power -bpow_opp.
+rewrite NegzE -exprnN real_inv ?expf_neq0 // nat_power -bpow_opp.
 by congr (bpow _ _); lia.
 Qed.
 
@@ -107,7 +114,7 @@ Definition rational (x : number) : rat :=
 Lemma real_rational x : real (rational x) = B2R x.
 Proof.
 case: x => [s|s| |s m e h] /=; try exact: (real_int 0).
-by rewrite realM real_int real_power !int_of_ZK.
+by rewrite real_mul real_int real_power !int_of_ZK.
 Qed.
 End Values.
 
@@ -129,24 +136,26 @@ Proof. by rewrite /least_normal real_power. Qed.
 
 Lemma unit_ge0 : 0 <= unit_roundoff.
 Proof. by rewrite /unit_roundoff exprz_ge0 // ler0n. Qed.
+Lemma least_gt0 : 0 < least_normal.
+Proof. by rewrite /least_normal exprz_gt0. Qed.
 Opaque unit_roundoff least_normal.
 
 Local Notation u := (bpow radix2 (-53)).
 
 Lemma close_of_real (x y : rat) rx ry : real x = rx -> real y = ry -> (Rabs (ry - rx) <= u * Rabs rx)%Re -> close eps x y.
-Proof. by move=> <- <-; rewrite -real_unit -realB -!real_norm -realM => /real_le. Qed.
+Proof. by move=> <- <-; rewrite -real_unit -real_sub -!real_norm -real_mul => /real_le. Qed.
 
 Lemma rounded_of_real (x y : rat) rx ry : real x = rx -> real y = ry -> (Rabs (ry - rx) <= u * Rabs ry)%Re -> rounded eps x y.
 Proof. by move=> ex ey h; right; apply: (close_of_real ey ex); rewrite Rabs_minus_sym. Qed.
 
 Lemma real_sum x y : real (rational x + rational y) = (B2R x + B2R y)%Re.
-Proof. by rewrite realD !real_rational. Qed.
+Proof. by rewrite real_add !real_rational. Qed.
 Lemma real_difference x y : real (rational x - rational y) = (B2R x - B2R y)%Re.
-Proof. by rewrite realB !real_rational. Qed.
+Proof. by rewrite real_sub !real_rational. Qed.
 Lemma real_product x y : real (rational x * rational y) = (B2R x * B2R y)%Re.
-Proof. by rewrite realM !real_rational. Qed.
+Proof. by rewrite real_mul !real_rational. Qed.
 Lemma real_quotient x y : rational y != 0 -> real (rational x / rational y) = (B2R x / B2R y)%Re.
-Proof. by move=> nz; rewrite realM realV // !real_rational. Qed.
+Proof. by move=> nz; rewrite real_mul real_inv // !real_rational. Qed.
 
 (** rounding.binary64 sum: a sum and a difference of doubles that do not overflow have a relative error of at most $2^{-53}$, however small they are. *)
 Theorem rounding_binary64_sum x y :
@@ -161,7 +170,7 @@ Lemma zero_value x : rational x = 0 -> B2R x = 0%Re.
 Proof. by move=> h; rewrite -real_rational h (real_int 0). Qed.
 
 Lemma normal_value x : least_normal <= `|rational x| -> (bpow radix2 (-1022) <= Rabs (B2R x))%Re.
-Proof. by move=> /real_mono h; rewrite -real_least -real_rational -real_norm. Qed.
+Proof. by move=> /real_increasing h; rewrite -real_least -real_rational -real_norm. Qed.
 
 Let zero_rounded : (Rabs (round radix2 (FLT_exp (-1074) 53) ZnearestE 0 - 0)
   <= bpow radix2 (-53) * Rabs (round radix2 (FLT_exp (-1074) 53) ZnearestE 0))%Re.
@@ -184,7 +193,7 @@ Qed.
 Theorem rounding_binary64_quotient x y : is_finite (bover x y) = true -> is_finite y = true -> over_survives x y ->
   rational y != 0 /\ rounded eps (rational x / rational y) (rational (bover x y)).
 Proof.
-move=> h hy normal; have [_ ny] := finite_over h hy.
+move=> h hy normal; have ny := divisor_neq0 h hy.
 have y0 : rational y != 0 by apply/eqP=> y0; apply: ny; exact: zero_value.
 split; first exact: y0.
 apply: (rounded_of_real (real_quotient x y0) (real_rational _)); rewrite (over_round h hy).

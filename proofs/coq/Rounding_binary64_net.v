@@ -1,6 +1,6 @@
 (* The a-priori bound for the bits that a processor computes.
    Definitions:
-     survives ...     of the results that lead to the vertex N the last and the divisors are finite, and no product or quotient underflows *)
+     survives ...     the vertex N and the knots far_j on the way are finite, and no product or quotient underflows *)
 From Coq Require Import ZArith Reals Psatz.
 From Flocq Require Import Core BinarySingleNaN.
 From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
@@ -23,15 +23,15 @@ Local Notation passed j := (btimes (bminus M (near j)) (r j)).
 Local Notation divisor j := (bminus M (far j)).
 
 Definition survives := is_finite (vertex doubles L M near far p d N) = true /\ forall j, (j < N)%N ->
-  [/\ is_finite (divisor j) = true, times_survives (side j) gap, times_survives (bminus M (near j)) (r j) & over_survives (bplus (moved j) (passed j)) (divisor j)].
+  [/\ is_finite (far j) = true, times_survives (side j) gap, times_survives (bminus M (near j)) (r j) &
+    over_survives (bplus (moved j) (passed j)) (divisor j)].
 
 Hypothesis ok : survives.
 
 Lemma finite_step j : (j < N)%N -> is_finite (r j.+1) = true -> [/\ is_finite (bplus (moved j) (passed j)) = true, is_finite (moved j) = true,
   is_finite (passed j) = true, is_finite (r j) = true & is_finite (side j) = true /\ is_finite gap = true /\ is_finite (bminus M (near j)) = true].
 Proof.
-move=> lt_j fr; have [_ /(_ j lt_j) [fd _ _ _]] := ok; have [fs _] := finite_over fr fd.
-have [fm fp] := finite_plus fs; have [fe fg] := finite_times fm; have [fn fj] := finite_times fp.
+move=> lt_j fr; have fs := finite_over fr; have [fm fp] := finite_plus fs; have [fe fg] := finite_times fm; have [fn fj] := finite_times fp.
 by split; [exact: fs | exact: fm | exact: fp | exact: fj | split; [exact: fe | split; [exact: fg | exact: fn]]].
 Qed.
 
@@ -49,11 +49,25 @@ have fr : is_finite (r (N - k.+1).+1) = true by rewrite subnSK //; apply: ih; ex
 by have [_ _ _ h _] := finite_step lt fr; exact: h.
 Qed.
 
+Lemma quotient_kept j : (j < N)%N -> is_finite (divisor j) = false ->
+  rational (bplus (moved j) (passed j)) = 0 /\ rational (r j.+1) = 0.
+Proof.
+move=> lt_j inf; have [_ /(_ j lt_j) [_ _ _ okq]] := ok.
+have q0 : rational (r j.+1) = 0.
+  by apply: real_inj; rewrite real_rational (real_int 0); exact: (infinite_divisor (finite_rulings lt_j) inf).
+split; last exact: q0.
+case: okq => [h|]; first exact: h.
+move: q0 => /= ->; rewrite normr0 leNgt => /negP h; exfalso; apply: h; exact: least_gt0.
+Qed.
+
 Lemma off j : (j < N)%N -> rational M - rational (far j) != 0.
 Proof.
-move=> lt_j; have [_ /(_ j lt_j) [fd _ _ okq]] := ok.
-have [nz _] := rounding_binary64_quotient (finite_rulings lt_j) fd okq.
-apply/eqP=> e; case/eqP: nz; have [_ h] := rounding_binary64_sum M (far j); have := h fd; rewrite /close e normr0 mulr0 subr0 normr_le0.
+move=> lt_j; have [_ /(_ j lt_j) [ff _ _ okq]] := ok; rewrite subr_eq0; apply/eqP=> e.
+have [_ _ _ _ [_ [_ fn]]] := finite_step lt_j (finite_rulings lt_j); have [fM _] := finite_minus fn.
+have eR : B2R M = B2R (far j) by rewrite -!real_rational e.
+have [fd|inf] := boolP (is_finite (divisor j)); last exact: (overflown_difference fM ff (negbTE inf) eR).
+have [nz _] := rounding_binary64_quotient (finite_rulings lt_j) fd okq; case/eqP: nz.
+have [_ h] := rounding_binary64_sum M (far j); have := h fd; rewrite /close e subrr normr0 mulr0 subr0 normr_le0.
 by move/eqP.
 Qed.
 
@@ -63,11 +77,13 @@ move=> _; have [last _] := rounding_binary64_sum (p N) (r N); split; last exact:
 have sums x y := (rounding_binary64_sum x y).1; have diffs x y := (rounding_binary64_sum x y).2.
 split; first by apply: diffs; exact: (finite_rulings (leq0n N)).
   have [_ _ _ _ [_ [fg _]]] := finite_step pos (finite_rulings pos); exact: diffs fg.
-move=> j lt_j side' r' moved' passed'; have [fs fm fp fr [fe [fg fn]]] := finite_step lt_j (finite_rulings lt_j).
-have [_ /(_ j lt_j) [fd okm okp okq]] := ok.
-split; [exact: diffs fe | exact: diffs fn | exact: diffs fd | exact: sums fs | split].
-- exact: (rounding_binary64_product fm okm).
-- exact: (rounding_binary64_product fp okp).
+move=> j lt_j side' r' moved' passed' sum' divisor' quotient'.
+have [fs fm fp fr [fe [fg fn]]] := finite_step lt_j (finite_rulings lt_j).
+have [_ /(_ j lt_j) [ff okm okp okq]] := ok.
+split; [exact: diffs fe | exact: diffs fn | exact: (rounding_binary64_product fm okm) | exact: (rounding_binary64_product fp okp) |].
+split; first exact: sums fs.
+have [fd|inf] := boolP (is_finite (divisor j)); [left | right; exact: (quotient_kept lt_j (negbTE inf))].
+split; first exact: diffs fd.
 exact: (rounding_binary64_quotient (finite_rulings lt_j) fd okq).2.
 Qed.
 End Steps.
@@ -82,8 +98,8 @@ Hypothesis start : d K = \row_k rational (dK k).
 (** rounding.binary64 net: the vertex $J\ge K$ that the library computes in doubles from the vertex $K$ has in each coordinate an error of at most
     $u|d_J|+(1+u)\bigl(\gamma_{5(J-K)+1}|P(K,J)||d_K-c_K|
     +|\Lambda^{*}-M^{*}|\sum_{i=K}^{J-1}\gamma_{5(J-i)+1}|P(i+1,J)|\frac{|c_{i+1}-c_i|}{|M^{*}-u_i|}\bigr)$ with $u=2^{-53}$, where $d$ is the exact row (13).
-    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and $M^{*}-u_i$, $K\le i<J$, are finite; each computed product and quotient is at least $2^{-1022}$
-    in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of $u_K,\dots,u_{J-1}$ follows. *)
+    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and the knots $u_K,\dots,u_{J-1}$ are finite; each computed product and quotient on the way is at
+    least $2^{-1022}$ in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
 Theorem rounding_binary64_net k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 ->
   (forall i, (K <= i < J)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
   upwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (J - K)) ->
@@ -99,7 +115,7 @@ Qed.
 (** rounding.binary64 net_down: the vertex $J\le K$ has in each coordinate an error of at most
     $u|d_J|+(1+u)\bigl(\gamma_{5(K-J)+1}|P(J,K)|^{-1}|d_K-c_K|
     +|\Lambda^{*}-M^{*}|\sum_{i=J}^{K-1}\gamma_{5(i+1-J)+1}|P(J,i)|^{-1}\frac{|c_{i+1}-c_i|}{|M^{*}-u_{i+n}|}\bigr)$ with $u=2^{-53}$.
-    Hypotheses: as upwards, with $M^{*}-u_{i+n}$, $J\le i<K$. *)
+    Hypotheses: as upwards, with the knots $u_{J+n},\dots,u_{K-1+n}$. *)
 Theorem rounding_binary64_net_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps < 1 ->
   (forall i, (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
   downwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (K - J)) ->

@@ -165,7 +165,8 @@ have start : d K = \row_k d K 0 k by apply/rowP=> i; rewrite mxE.
 have none (B x y : F) : `|x - y| <= 0 * `|y| + (1 + 0) * B -> B = 0 -> x = y.
   by move=> h B0; apply/eqP; rewrite -subr_eq0 -normr_le0; move: h; rewrite B0 mul0r mulr0 addr0.
 have gamma0 i : gamma (0 : F) i = 0 by rewrite /gamma mulr0 mul0r.
-have kept0 near far p x N : kept_vertex (exactly F) id 0 L M near far p x N by do !split.
+have kept0 near far p x N : kept_vertex (exactly F) id 0 L M near far p x N.
+  by move=> _; split=> [|//]; split=> [//|//|j _]; split=> [//|//|//|//|]; split=> [//|]; left.
 have small i : i%:R * 0 < (1 : F) by rewrite mulr0 ltr01.
 move=> up down cells; have [le|/ltnW le] := leqP K J.
 - apply: (none (bound_up 0 u n L M (c^~ k) (d K 0 k) K J)).
