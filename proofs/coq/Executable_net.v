@@ -3,6 +3,7 @@
      off_knots u M a         a, where M is none of the knots
      net_program n u c L M k dk   the row d through d_k = dk by (13), upwards and downwards
      left_side n u c L i     the left side of equation (13)
+     products_program n u M a b   P(a, b) and Q(a, b)
      closed14, closed15, closed16_program n u c L M d0 i   d_i by (14), d_i - c_i by (15) and by (16) *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Points FJ07_3_net Executable Executable_knots.
@@ -38,6 +39,7 @@ Definition crossed n u M i N := product K (fun j => (M - u$(n + j).+1) / (M - u$
 Definition weighted n u c M N := total_of V (fun i => ((u$(i + n)%N - u$(i.-1)) / (M - u$(i.-1)) * crossed n u M i N) *: vertex c i) 1 N.
 Definition difference c i := psub V (vertex c i.+1) (vertex c i).
 Definition in_row A n u c M (a : answer A) := knot_list K n u (fits n u c (off_knots u M a)).
+Definition products_program n u M a b := knot_list K n u (off_knots u M (Value [:: ratios n u M a b; crossed n u M a b])).
 Definition closed14_program n u c L M d0 i := in_row n u c M (Value (
   ratios n u M 0 i *: d0 + ((u$n - L) / (M - u$0) * ratios n u M 1 i) *: vertex c 0 + ((L - u$(i.-1)) / (M - u$(i.-1))) *: vertex c i
     + ((M - L) / (M - u$(i.-1))) *: weighted n u c M i)).
@@ -124,6 +126,11 @@ Lemma row_cells n u c L M d0 i : M \notin u -> (i < size u)%N ->
   (forall j, (j < i.+1)%N -> M - at_list u j != 0) /\
   forall j, (j < i.+1)%N -> cell (at_list u) n L M (at_list c) (net (at_list u) n L M (at_list c) d0) j.
 Proof. by move=> off lt_i; split=> j lt_j; [apply: off_neq | apply: net_off]; rewrite //; lia. Qed.
+
+(** FJ07.14 products: the program gives $P(a,b)$ and $Q(a,b)$, wherever it gives values. *)
+Theorem FJ07_14_products n u M a b x y : products_program K n u M a b = Value [:: x; y] ->
+  x = P (at_list u) n M a b /\ y = Q (at_list u) n M a b.
+Proof. by case/knot_listP=> _ /off_knotsP[_ e]; have [<- <-] := Value_inj e; rewrite ratiosE crossedE. Qed.
 
 (** FJ07.14 program: the program of the closed form gives the vertex $i\ge1$ of the row that the recursion (13) gives, wherever it gives a value. *)
 Theorem FJ07_14_program n u c L M d0 i p : (0 < i <= size u - n)%N -> closed14_program K V n u c L M d0 i = Value p ->

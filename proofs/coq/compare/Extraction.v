@@ -1,11 +1,13 @@
 (* The programs of proofs/coq as OCaml: run by compare.py in build/coq/compare. Natural numbers become int; nothing else is replaced but
    booleans, lists, pairs and options by OCaml's own. *)
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt.
-From Torse Require Import Executable Executable_knots Executable_net Executable_pieces Executable_determinant Executable_FJ21 Executable_ZW06.
+From Torse Require Import Executable Executable_knots Executable_net Executable_pieces Executable_determinant Executable_FJ21 Executable_ZW06
+  Executable_splines.
 
 Extraction Language OCaml.
 Extraction "programs.ml" knot_list blossom_program point_program derivative_program net_program
-  closed14_program closed15_program closed16_program local_program next_local_program affine_program next_affine_program aumann_program
+  products_program closed14_program closed15_program closed16_program local_program next_local_program affine_program next_affine_program aumann_program
   first_cell_program next_cell_program cell_program restricted_program determinant_program check_program
   to_blossom_program to_frame_program standard_program gauge_program weights_program edge_program unelevated_program elevated_program rational_program
-  cone_program start_cone_program mean_tangent_program tangent_program mean_chord_program affine_net_program.
+  cone_program start_cone_program mean_tangent_program tangent_program mean_chord_program affine_net_program
+  pieces_program bezier_program insertion_program steps_program elevation_program.

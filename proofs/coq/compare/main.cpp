@@ -11,6 +11,7 @@
 #include "torse/developable/ruled.hpp"
 #include "torse/developable/special.hpp"
 #include "torse/proofs/coq/compare/problem.hpp"
+#include "torse/quasi/surface.hpp"
 
 namespace torse::compare {
 namespace {
@@ -136,6 +137,35 @@ Answer rational_row(const Problem& p) {
                                              p.point<4>("d"));
 }
 
+Answer products(const Problem& p) {
+  const KnotList<Q> u = p.knots();
+  const Q m = p.number("M");
+  require_off_knots(u, m);
+  const int a = p.integer("a");
+  const int b = p.integer("b");
+  return Answer() << product_p(u, m, a, b) << product_q(u, m, a, b);
+}
+
+Answer pieces(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << restricted_points(c.knots, c.points(), p.integer("k"), p.number("a"), p.number("b"));
+}
+
+Answer bezier(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << bezier_points(c.knots, c.points(), p.integer("k"));
+}
+
+Answer insertion(const Problem& p) {
+  const auto finer = insert_knot(p.spline<3>(), p.number("t"));
+  return Answer() << finer.knots.list() << finer.control;
+}
+
+Answer elevation(const Problem& p) {
+  const std::vector<Point3> c = p.points<3>("c");
+  return Answer() << elevated_points<Q, Point3>(c, static_cast<int>(c.size()) - 1 + p.integer("i"));
+}
+
 using P = const Problem&;
 const std::map<std::string, Function>& functions() {
   static const std::map<std::string, Function> table{
@@ -146,6 +176,7 @@ const std::map<std::string, Function>& functions() {
       {"net", net},
       {"net_from", [](P p) { return row(p, net_from<Q, Point3>); }},
       {"printed_net", [](P p) { return row(p, printed_net<Q, Point3>); }},
+      {"products", products},
       {"eq14", [](P p) { return vertex(p, eq14<Q, Point3>); }},
       {"eq15", [](P p) { return vertex(p, eq15<Q, Point3>); }},
       {"eq16", [](P p) { return vertex(p, eq16<Q, Point3>); }},
@@ -182,6 +213,11 @@ const std::map<std::string, Function>& functions() {
       {"unelevated", [](P p) { return factors(p, unelevated<Q>); }},
       {"elevated_functions", [](P p) { return factors(p, elevated_functions<Q>); }},
       {"rational_net", rational_row},
+      {"restricted_points", pieces},
+      {"bezier_points", bezier},
+      {"insert_knot", insertion},
+      {"coefficients_from_steps", [](P p) { return Answer() << coefficients_from_steps<Q>(p.numbers("e")); }},
+      {"elevated_points", elevation},
       {"cone_net",
        [](P p) { return Answer() << cone_net<Q, Point3>(p.points<3>("c"), p.number("x"), p.point<3>("d")); }},
       {"start_cone_net", [](P p) { return Answer() << start_cone_net<Q, Point3>(p.points<3>("c"), p.number("s")); }},

@@ -65,6 +65,7 @@ let programs = [
   "net", (fun p -> of_points (row net_program p 0 (point p "d")));
   "net_from", (fun p -> of_points (row net_program p (integer p "i") (point p "d")));
   "printed_net", (fun p -> of_points (row net_program p (integer p "i") (point p "d")));
+  "products", (fun p -> of_point (over_knots products_program p (number p "M") (integer p "a") (integer p "b")));
   "eq14", (fun p -> of_point (row closed14_program p (point p "d") (integer p "i")));
   "eq15", (fun p -> of_point (row closed15_program p (point p "d") (integer p "i")));
   "eq16", (fun p -> of_point (row closed16_program p (point p "d") (integer p "i")));
@@ -87,6 +88,11 @@ let programs = [
   "edge", functions edge_program;
   "unelevated", with_factors unelevated_program;
   "elevated_functions", with_factors elevated_program;
+  "restricted_points", (fun p -> of_points (spline pieces_program p (integer p "k") (number p "a") (number p "b")));
+  "bezier_points", (fun p -> of_points (spline bezier_program p (integer p "k")));
+  "insert_knot", (fun p -> answer (fun (u, c) -> u @ List.concat c) (spline insertion_program p (number p "t")));
+  "coefficients_from_steps", (fun p -> of_point (Value (steps_program field (numbers p "e"))));
+  "elevated_points", (fun p -> of_points (Value (elevation_program field (space 3) (points p "c") (integer p "i"))));
   "cone_net", (fun p -> of_points (Value (cone_program (space 3) (points p "c") (number p "x") (point p "d"))));
   "start_cone_net", (fun p -> of_points (start_cone_program field (space 3) (points p "c") (number p "s")));
   "mean_tangent_net", of_directrix mean_tangent_program;

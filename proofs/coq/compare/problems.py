@@ -257,6 +257,29 @@ def directrix(draw):
     return bezier(draw) | {"x": draw.random.choice((1, draw.number())), "s": 0 if draw.random.random() < 0.1 else draw.number(), "d": draw.point()}
 
 
+def interval_of(draw):
+    """A piece and any interval."""
+    return spline(draw) | {"k": draw.piece(), "a": draw.parameter(), "b": draw.parameter()}
+
+
+def insertion(draw):
+    return spline(draw) | {"t": draw.parameter()}
+
+
+def products(draw):
+    members = first_cell(draw)
+    a = draw.random.randint(0, max(0, draw.last))
+    return members | {"a": a, "b": draw.random.randint(a, max(a, draw.last))}
+
+
+def elevation(draw):
+    return bezier(draw) | {"i": draw.random.randint(0, 4)}
+
+
+def steps(draw):
+    return {"e": [draw.random.choice((0, draw.number())) for _ in range(draw.degree() + 1)]}
+
+
 of_numbers = ["random", "huge fractions"]
 of_rows = ["random", "zero edges", "collinear points", "huge fractions"]
 functions = {
@@ -267,6 +290,7 @@ functions = {
     "net": (of_nets, net),
     "net_from": (of_nets, lambda draw: vertex(draw, 0)),
     "printed_net": (of_nets, lambda draw: vertex(draw, 0)),
+    "products": (of_knots + ["M* at a knot"], products),
     "eq14": (of_nets, lambda draw: vertex(draw, 1)),
     "eq15": (of_nets, lambda draw: vertex(draw, 1)),
     "eq16": (of_nets, lambda draw: vertex(draw, 1)),
@@ -290,6 +314,11 @@ functions = {
     "unelevated": (of_numbers, at_parameter),
     "elevated_functions": (of_numbers, at_parameter),
     "rational_net": (of_nets, rational_net),
+    "restricted_points": (general, interval_of),
+    "bezier_points": (general, lambda draw: spline(draw) | {"k": draw.piece()}),
+    "insert_knot": (general, insertion),
+    "coefficients_from_steps": (of_numbers, steps),
+    "elevated_points": (of_rows, elevation),
     "cone_net": (of_rows, directrix),
     "start_cone_net": (of_rows, directrix),
     "mean_tangent_net": (of_rows, directrix),
@@ -297,7 +326,7 @@ functions = {
     "mean_chord_net": (of_rows, directrix),
     "affine_net": (of_rows, directrix),
 }
-total = {"restrict_rulings", "cone_net", "mean_tangent_net", "tangent_net", "mean_chord_net", "affine_net"}
+total = {"restrict_rulings", "coefficients_from_steps", "elevated_points", "cone_net", "mean_tangent_net", "tangent_net", "mean_chord_net", "affine_net"}
 # The classes and functions where every answer is an error, and where some are; in no class or function else are all.
 all_errors = {"missing points", "M* at a knot"}
 with_errors = {"bad knots"} | set(functions) - total
