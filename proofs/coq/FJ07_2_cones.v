@@ -151,6 +151,22 @@ move=> sp; rewrite /developable !pcurve_move //; move: (pcurve n u w) => W.
 by rewrite /fixed /pderiv; coordinates; rewrite !derivD !derivM !derivC; hide_entries; ring.
 Qed.
 
+(** FJ07.6 developable: rows with proportional sides span a developable surface on every piece, $d(t)=\alpha c(t)+$ a point; for $\alpha=1$ too.
+    Hypotheses: the knots carry the piece. *)
+Theorem FJ07_6_developable (F : fieldType) n (u : nat -> F) (c d : nat -> 'rV[F]_3) al K j (C := pcurve n (drop_ j u) (drop_ j c))
+    (D := pcurve n (drop_ j u) (drop_ j d)) : (j + n <= K)%N -> span n (drop_ j u) -> proportional al c d K ->
+  D = fixed (d 0%N - al *: c 0%N) + al%:P *: C /\ developable C D.
+Proof.
+move=> le_j sp sides.
+have eq_d i : (i <= K)%N -> d i = (d 0%N - al *: c 0%N) + al *: c i.
+  elim: i => [_|i ih lt_i]; first by rewrite subrK.
+  by have := sides i lt_i => /(canRL (subrK _)) ->; rewrite ih 1?ltnW //; by_entries r; ring.
+have eq_D : D = fixed (d 0%N - al *: c 0%N) + al%:P *: C.
+  rewrite -pcurve_move //; apply: pcurve_ext => i le_i; rewrite /drop_ eq_d //; lia.
+split=> //; rewrite eq_D /developable; move: (d 0%N - _) C {eq_D D} => o C.
+by rewrite /fixed /pderiv; coordinates; rewrite !derivD !derivM !derivC; hide_entries; ring.
+Qed.
+
 Section Counterexamples.
 Variable F : fieldType.
 

@@ -43,6 +43,28 @@ move: (u 0%N) (u n) (u i) (u i.+1) (u (i + n)%N) (u (i + n).+1) (mu 0%N) (l 0%N)
 by split=> //; field; rewrite e0 e1 w0.
 Qed.
 
+(** FJ07.18 classes: $l_i=1$ in one cell iff in all, and $\mu_i=1$ in one cell iff in all, and then all $l_i$ are equal.
+    Hypotheses: no denominator of (18) vanishes; $u_{i+n-1}\ne u_{i-1}$. *)
+Theorem FJ07_18_classes u n l mu K i j : (forall r, (r <= K)%N -> u (r + n)%N - u r != 0) -> obeys u n l mu K ->
+  (i <= K)%N -> (j <= K)%N -> [/\ l i = 1 -> l j = 1, mu i = 1 -> mu j = 1 & mu i = 1 -> l i = l j].
+Proof.
+move=> width rec le_i le_j; have closed := FJ07_18_closed width rec; have w0 := width 0%N isT; rewrite add0n in w0.
+have l1 r : (r <= K)%N -> (l r == 1) = (l 0%N == 1).
+  move=> /closed[e0 -> _]; rewrite -[RHS]subr_eq0 -[LHS]subr_eq0; set e := E _ _ _ _ in e0 *.
+  have -> : G (u 0%N) (u n) (l 0%N) (mu 0%N) (u r) / e - 1 = (l 0%N - 1) * ((u n - u 0%N) / e).
+    by rewrite -[X in _ - X = _](divff e0) -mulrBl /e /G /E mulrA; congr (_ / _); ring.
+  by rewrite mulf_eq0 [X in _ || X]mulf_eq0 invr_eq0 (negPf w0) (negPf e0) !orbF.
+have m1 r : (r <= K)%N -> (mu r == 1) = (mu 0%N == 1).
+  move=> le_r; have [e0 _ ->] := closed r le_r; rewrite -[RHS]subr_eq0 -[LHS]subr_eq0; set e := E _ _ _ (u r) in e0 *.
+  have -> : E (u 0%N) (u n) (mu 0%N) (u (r + n)%N) / e - 1 = (mu 0%N - 1) * ((u (r + n)%N - u r) / e).
+    by rewrite -[X in _ - X = _](divff e0) -mulrBl /e /E mulrA; congr (_ / _); ring.
+  by rewrite mulf_eq0 [X in _ || X]mulf_eq0 invr_eq0 (negPf (width r le_r)) (negPf e0) !orbF.
+split=> [/eqP|/eqP|/eqP]; rewrite ?l1 ?m1 // => e; first by apply/eqP; rewrite l1.
+  by apply/eqP; rewrite m1.
+have [_ -> _] := closed i le_i; have [_ -> _] := closed j le_j.
+by rewrite /G /E (eqP e) subrr !mul0r.
+Qed.
+
 (** FJ07.18 backward: the cell before has $l=G'(u_{i-2})/E'(u_{i-2})$, $\mu=E'(u_{i+n-2})/E'(u_{i-2})$ with
     $E'(x)=u_{i+n-1}-u_{i-1}+(1-\mu_i)(u_{i-1}-x)$, $G'(x)=l_i(u_{i+n-1}-u_{i-1})+(1-\mu_i)(u_{i-1}-x)$, so that any cell gives all.
     Hypotheses: the denominator of (18) is not 0; $u_{i+n-2}\ne u_{i-2}$, $u_{i+n-1}\ne u_{i-1}$. *)
@@ -159,14 +181,7 @@ Theorem FJ07_18_developable (F : fieldType) (u l mu : nat -> F) (c d : nat -> 'r
   forall k, (k < N)%N -> span n (drop_ k u) -> developable (pcurve n (drop_ k u) (drop_ k c)) (pcurve n (drop_ k u) (drop_ k d)).
 Proof.
 move=> n0 N0 width rec cells k lt_k sp; have := FJ07_18_net width rec cells; case: eqP => [_ sides | _ cells'].
-  have eq_d i : (i <= n)%N -> drop_ k d i = (d k - l 0%N *: c k) + l 0%N *: drop_ k c i.
-    rewrite /drop_; elim: i => [_|i ih lt_i]; first by rewrite addn0 subrK.
-    have lt_ki : (k + i < (n + N.-1).-1.+1)%N by lia.
-    rewrite addnS; have := sides _ lt_ki => /(canRL (subrK _)) ->; rewrite ih 1?ltnW //.
-    by by_entries j; ring.
-  rewrite (pcurve_ext _ eq_d) pcurve_move //; move: (pcurve _ _ (drop_ k c)) (_ - _) => C o.
-  apply/FJ07_T1_converse; left; rewrite (_ : pderiv (_ + _) = (l 0%N)%:P *: pderiv C) ?crossZr ?cross_self ?scaler0 //.
-  by apply/rowP=> j; rewrite !mxE derivD derivM !derivC mul0r !add0r.
+  by have [|_ dev] := FJ07_6_developable _ sp sides; [lia | exact: dev].
 apply: (FJ07_C2_developable _ lt_k sp) => i lt_i.
 by have [|_ h] := cells' i; [lia | exact: h].
 Qed.

@@ -110,6 +110,28 @@ Qed.
 Theorem FJ07_T1_needs_tangents n C t L : related_at n C C t L L 1.
 Proof. by rewrite /related_at scale1r. Qed.
 
+(** FJ07.T1 joint: where two pieces join with the same points and derivatives $c,c',d,d'$ (class $C^1$), both have the same $\Lambda^{*}$ and
+    $M^{*}$, which is (10).
+    Hypotheses: $c'(t)\times d'(t)\ne0$ at the joint; $n\ne0$ in the field.
+    Paper: "the final surface is at least C^1". *)
+Theorem FJ07_T1_joint n (C D C' D' : 'rV[{poly F}]_3) t L M L' M' : n%:R != 0 :> F -> cross (ev (pderiv C) t) (ev (pderiv D) t) != 0 ->
+  ev C t = ev C' t -> ev D t = ev D' t -> ev (pderiv C) t = ev (pderiv C') t -> ev (pderiv D) t = ev (pderiv D') t ->
+  related_at n C D t L M 1 -> related_at n C' D' t L' M' 1 -> L = L' /\ M = M'.
+Proof.
+move=> n0 nz ec ed ec' ed' rel rel'; apply: (FJ07_T1_unique n0 nz rel).
+by move: rel'; rewrite /related_at /tangent -ec -ed -ec' -ed'.
+Qed.
+
+(** FJ07.T1 cone_needs_curve: on a straight line through the vertex, $c=a+tw$, there are such values.
+    Hypotheses: $n\ne0$ in the field. *)
+Theorem FJ07_T1_cone_needs_curve n (a w : 'rV[F]_3) (al : F) t (C := fixed a + 'X *: fixed w) : n%:R != 0 :> F ->
+  related_at n C (fixed a + al%:P *: (C - fixed a)) t (t + n%:R * ((al - 1) * t)) t 1.
+Proof.
+move=> n0; apply/rowP=> k; rewrite !mxE subrr mul0r mul0r addr0 mul1r.
+rewrite !(derivD, derivM, derivC, derivX) !hornerE /=; move: (a 0 k) (w 0 k) n%:R n0 => x y N n0; field.
+exact: n0.
+Qed.
+
 (** FJ07.T1 cone: on the cone $d=a+\alpha(c-a)$ no values $\Lambda$, $M$ whatever have $c[t^{\langle n-1\rangle},\Lambda]=d[t^{\langle n-1\rangle},M]$.
     Hypotheses: $\alpha\ne1$; the curve does not run towards the vertex, $(c(t)-a)\times c'(t)\ne0$.
     Paper: says that cones fall out. *)

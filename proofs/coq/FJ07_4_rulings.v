@@ -92,6 +92,39 @@ have := P_inv off off'; move: (P u n M 0 K.+1) (\prod_(0 <= i < K.+1) _) (M - u 
 rewrite [p * _]mulrCA pq mulr1; by by_entries k; field.
 Qed.
 
+(** FJ07.21 lengths: $\sigma_0=0$, the first ruling shrinks to $c_0$, iff $\alpha=0$ or $\Lambda^{*}=M_0$; $\tau_0=0$ iff $\beta=0$ or $\Lambda^{*}=M_0$.
+    Hypotheses: $M_0$ is none of the knots. *)
+Theorem FJ07_21_lengths u n L M alpha beta K : (forall i, (i < K.+1)%N -> M - u i != 0) ->
+  (forall i, (i < K.+1)%N -> M - u (i + n)%N != 0) ->
+  (first_end u n K L M alpha == 0) = (alpha == 0) || (L == M) /\ (last_end u K L M beta == 0) = (beta == 0) || (L == M).
+Proof.
+move=> off off'; have e0 := off K (ltnSn K); have q0 : \prod_(0 <= i < K.+1) ((M - u i) / (M - u (i + n)%N)) != 0.
+  by apply/eqP=> z; have := P_inv off off'; rewrite z mulr0 => /eqP; rewrite eq_sym oner_eq0.
+rewrite /first_end /last_end; split; rewrite !mulf_eq0 invr_eq0 (negPf e0) ?(negPf q0) ?orbF subr_eq0 //.
+by rewrite [M == L]eq_sym.
+Qed.
+
+(** FJ07.21 restriction: $\Lambda^{*}$ only cuts the surface, by (17): $M_0+\beta'(\Lambda^{*}-M_0)$ makes $\beta'\sigma_0$ and $\beta'\tau_0$ of $\sigma_0$,
+    $\tau_0$, so that it can be chosen to pass through one given point of a ruling, but not of both. *)
+Theorem FJ07_21_restriction u n L M alpha beta scale K :
+  first_end u n K (M + scale * (L - M)) M alpha = scale * first_end u n K L M alpha /\
+  last_end u K (M + scale * (L - M)) M beta = scale * last_end u K L M beta.
+Proof. by rewrite /first_end /last_end; split; ring. Qed.
+
+(** FJ07.21 developable: where $M_0$ is a root, there is a net through $c$ with the first ruling along $v$ and the last along $w$ that spans
+    developable surfaces over all its $N$ pieces.
+    Hypotheses: $M_0$ is none of the knots; $v\times w\ne0$. *)
+Theorem FJ07_21_developable u n N L M c v w K : K.+1 = (n + N.-1)%N -> (forall i, (i < K.+1)%N -> M - u i != 0) ->
+  (forall i, (i < K.+1)%N -> M - u (i + n)%N != 0) -> cross v w != 0 -> root (branches u n c K v w) M ->
+  exists d sigma tau, [/\ d 0%N = c 0%N + sigma *: v, d K.+1 = c K.+1 + tau *: w & forall k, (k < N)%N -> span n (drop_ k u) ->
+    developable (pcurve n (drop_ k u) (drop_ k c)) (pcurve n (drop_ k u) (drop_ k d))].
+Proof.
+move=> eK off off' nz /(FJ07_20_branches _ _ _ _ off)/(combination nz)[alpha [beta eq_a]].
+exists (net u n L M c (c 0%N + first_end u n K L M alpha *: v)), (first_end u n K L M alpha), (last_end u K L M beta).
+split=> //; first exact: FJ07_21_interpolation.
+by apply: FJ07_13_developable; rewrite -eK.
+Qed.
+
 (** FJ07.21 unique: for given $\Lambda^{*}$ and $M_0$ there is no other net of (13) with $d_0-c_0=\sigma v$ and $d_L-c_L=\tau w$.
     Hypotheses: $M_0$ is none of the knots; $v\times w\ne0$. *)
 Theorem FJ07_21_unique u n L M c d v w alpha beta sigma tau K : (forall i, (i < K.+1)%N -> M - u i != 0) ->
