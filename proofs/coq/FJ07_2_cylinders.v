@@ -44,11 +44,14 @@ exists (a`_0 / b`_0); rewrite ep eq (deriv0 nz da) (deriv0 nz db) mul_polyC mul_
 Qed.
 
 (** FJ07.4 converse: rulings $w(t)$ with $w'$ parallel to $w$ have a constant direction, $w(t)=\lambda(t)v$, on a piece.
-    Hypotheses: characteristic 0; $w$ is not identically 0.
-    Paper: states neither, nor that it speaks of one piece. *)
-Theorem FJ07_4_converse W : char0 -> W != 0 -> cross W (pderiv W) = 0 -> exists h v, h != 0 /\ W = h *: fixed v.
+    Hypotheses: characteristic 0.
+    Paper: does not say that it speaks of one piece. *)
+Theorem FJ07_4_converse W : char0 -> cross W (pderiv W) = 0 -> exists h v, v != 0 /\ W = h *: fixed v.
 Proof.
-move=> nz W0 par; have [k k0] : exists k : 'I_3, W 0 k != 0.
+move=> nz par; have [W0|W0] := eqVneq W 0.
+  exists 0, (vec 1 0 0); rewrite W0 scale0r; split=> //; apply/eqP=> /(congr1 (@x_ _)).
+  by rewrite /x_ /vec !mxE => /eqP; rewrite oner_eq0.
+have [k k0] : exists k : 'I_3, W 0 k != 0.
   case: (pickP (fun k : 'I_3 => W 0 k != 0)) => [k k0 | z]; first by exists k.
   by case/eqP: W0; apply/rowP=> k; have := z k; rewrite mxE => /negbFE/eqP.
 have minor (i j : 'I_3) : (W 0 i)^`() * W 0 j = W 0 i * (W 0 j)^`().
@@ -59,8 +62,10 @@ have minor (i j : 'I_3) : (W 0 i)^`() * W 0 j = W 0 i * (W 0 j)^`().
   move: ex ey ez; coordinates => /eqP; rewrite subr_eq0 => /eqP ex /eqP; rewrite subr_eq0 => /eqP ey /eqP; rewrite subr_eq0 => /eqP ez.
   by case: (ord i) => ->; case: (ord j) => -> //; rewrite mulrC // ?ex ?ey ?ez // -?ex -?ey -?ez // mulrC.
 have prop (j : 'I_3) : exists r, W 0 j == r *: W 0 k by have [r ->] := wronskian nz k0 (minor j k); exists r.
-exists (W 0 k), (\row_j xchoose (prop j)); split=> //; apply/rowP=> j; rewrite !mxE.
-by rewrite {1}(eqP (xchooseP (prop j))) -mul_polyC mulrC.
+have eq_W : W = W 0 k *: fixed (\row_j xchoose (prop j)).
+  by apply/rowP=> j; rewrite !mxE {1}(eqP (xchooseP (prop j))) -mul_polyC mulrC.
+exists (W 0 k), (\row_j xchoose (prop j)); split=> //; apply: contraNneq W0 => z.
+by rewrite eq_W z; apply/eqP/rowP=> j; rewrite !mxE mulr0.
 Qed.
 
 (** FJ07.4 needs_char0: where $p=0$ in the field the ruling $w=(1,t^p,0)$ has $w'=0$ and no constant direction. *)

@@ -162,6 +162,15 @@ have -> : w = s *: ev (pderiv C) t.
 by rewrite crossZl cross_self scaler0.
 Qed.
 
+(** FJ07.T1 translation_needs_curve: on the straight line $c=tw$ there are such values.
+    Hypotheses: $n\ne0$ in the field. *)
+Theorem FJ07_T1_translation_needs_curve n (w : 'rV[F]_3) t : n%:R != 0 :> F ->
+  related_at n ('X *: fixed w) ('X *: fixed w + fixed w) t (t + n%:R) t 1.
+Proof.
+move=> n0; apply/rowP=> k; rewrite !mxE subrr !mul0r addr0 mul1r !(derivD, derivM, derivC, derivX) !hornerE /=.
+by move: (w 0 k) n%:R n0 => x N n0; field.
+Qed.
+
 (** FJ07.T1 tangents: the tangent surface of (7), $d=c+\lambda c'$, has $\Lambda(t)=t+n\lambda(t)$, $M(t)=t$.
     Hypotheses: $n\ne0$ in the field. *)
 Theorem FJ07_T1_tangents n C lam t : n%:R != 0 :> F -> related_at n C (C + lam *: pderiv C) t (t + n%:R * lam.[t]) t 1.

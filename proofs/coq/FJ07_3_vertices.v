@@ -45,6 +45,11 @@ apply/FJ07_13_backward; rewrite /d leqnn ltnn subnn /= ey /y scalerA mulfV ?scal
 by apply: before.
 Qed.
 
+(** FJ07.13 needs_before: at $M^{*}=u_{i+n}$ the cell $i$ does not determine $d_i$ and binds $d_{i+1}$. *)
+Theorem FJ07_13_needs_before u n L c d i : cell u n L (u (i + n)%N) c d i <->
+  (u (i + n)%N - L) *: c i + (L - u i) *: c i.+1 = (u (i + n)%N - u i) *: d i.+1.
+Proof. by rewrite /cell subrr scale0r add0r. Qed.
+
 (** FJ07.13 vertex_unique: there is no other row with this $d_j$.
     Hypotheses: as before. *)
 Theorem FJ07_13_vertex_unique u n L M c d d' j K : (j <= K)%N -> (forall i, (j <= i < K)%N -> M - u i != 0) ->
@@ -97,6 +102,19 @@ split=> //; move/eqP: h1; rewrite -eM (_ : _ - _ = (M - u 0%N) * (L - L')); last
 rewrite mulf_eq0 !subr_eq0 => /orP[/eqP e0|/eqP //].
 have [|_ z0] := indep (L - M) (M - u n); first by rewrite addrC -h e0 subrr scale0r.
 by move: w; rewrite -(opprK (u n - _)) opprB -e0 z0 oppr0 eqxx.
+Qed.
+
+(** FJ07.13 needs_no_cone: a first cell with $\mu=1$, that of a cone, has no $\Lambda^{*}$, $M^{*}$.
+    Hypotheses: $c_1-c_0$ and $d_0-c_0$ are independent; $u_n\ne u_0$. *)
+Theorem FJ07_13_needs_no_cone u n c d l L M : u n - u 0%N != 0 ->
+  (forall a b : F, a *: (c 1%N - c 0%N) + b *: (d 0%N - c 0%N) = 0 -> a = 0 /\ b = 0) -> bary l 1 c d 0 -> ~ cell u n L M c d 0.
+Proof.
+move=> w indep e; rewrite FJ07_13_rulings add0n; have -> : d 1%N - c 1%N = (d 0%N - c 0%N) + (l - 1) *: (c 1%N - c 0%N).
+  by rewrite e; by_entries k; ring.
+move: (c 1%N - _) (d 0%N - _) indep => a b indep h.
+have [|_ z] := indep ((M - u 0%N) * (l - 1) - (L - M)) (u n - u 0%N); last by move: w; rewrite z eqxx.
+apply/rowP=> k; have := congr1 (fun r : 'rV_m => r 0 k) h; rewrite !mxE; move: (a 0 k) (b 0 k) => x y g.
+by apply: (by_multiple (z := 1) g); ring.
 Qed.
 
 (** FJ07.13 needs_side: for $c_0=c_1$ the first cell does not depend on $\Lambda^{*}$. *)

@@ -116,8 +116,8 @@ have -> : (\prod_(0 <= j < K) (M - u j) == 0) = false.
 by split=> [/eqP|/eqP ->]; rewrite ?oppr0 // oppr_eq0.
 Qed.
 
-(** FJ07.20 count: its degree is at most $L-1$, with the coefficient $[c_L-c_0,v,w]$ of $M^{L-1}$, which is not 0 iff the lines through $c_0$
-    along $v$ and through $c_L$ along $w$ are skew: then there are at most $L-1$ surfaces, whatever the degree and the pieces. *)
+(** FJ07.20 count: its degree is at most $L-1$, with the coefficient $[c_L-c_0,v,w]$ of $M^{L-1}$, which is 0 where the lines through $c_0$
+    along $v$ and through $c_L$ along $w$ meet or are parallel. *)
 Theorem FJ07_20_count u n c K v w : (size (branches u n c K v w) <= K.+1)%N /\
   (branches u n c K v w)`_K = triple (c K.+1 - c 0%N) v w.
 Proof.
@@ -131,5 +131,14 @@ rewrite eq_b; split.
     by rewrite (leq_trans (size_scale_leq _ _)) //; apply: sz.
   by rewrite !(leq_trans (size_scale_leq _ _)) //; apply: sz.
 rewrite !coefD !coefZ /x_ /y_ /z_ !co; move: (c K.+1 - c 0%N) => e; coordinates; ring.
+Qed.
+
+(** FJ07.20 finite: for skew end rulings there are at most $L-1$ values $M_0$, whatever the degree and the number of pieces.
+    Hypotheses: $[c_L-c_0,v,w]\ne0$. *)
+Theorem FJ07_20_finite u n c K v w (values : seq F) : triple (c K.+1 - c 0%N) v w != 0 -> uniq values ->
+  all (root (branches u n c K v w)) values -> (size values <= K)%N.
+Proof.
+move=> skew un roots; have [sz co] := FJ07_20_count u n c K v w; rewrite -ltnS; apply: leq_trans sz.
+apply: max_poly_roots => //; apply: contra_neq skew => z; by rewrite -co z coef0.
 Qed.
 End Interpolation.

@@ -165,4 +165,9 @@ have: k * triple x v w = 0.
   by rewrite eq_w; by_entries j; ring.
 by move/eqP; rewrite mulf_eq0 (negPf k0) => /eqP.
 Qed.
+
+(** FJ07.21 needs_distinct: for $\Lambda^{*}=M^{*}$ the row $d=c$, whose rulings are points, is there for every $M^{*}$. *)
+Theorem FJ07_21_needs_distinct u n M c v w K :
+  exists d sigma tau, [/\ forall i, (i < K.+1)%N -> cell u n M M c d i, d 0%N = c 0%N + sigma *: v & d K.+1 = c K.+1 + tau *: w].
+Proof. by exists c, 0, 0; split=> *; rewrite ?scale0r ?addr0. Qed.
 End Ends.

@@ -1,0 +1,46 @@
+(* FJ07, section 3: plane cells alone do not make a surface developable. *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points Bernstein Bezier FJ07_3_cells FJ21_4 FJ07_2_cones FJ07_4.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Quadratic.
+Variable F : fieldType.
+
+Lemma bez2 (a : nat -> F) t : (bez 2 a).[t] = (1 - t) ^+ 2 * a 0%N + 2%:R * t * (1 - t) * a 1%N + t ^+ 2 * a 2%N /\
+  ((bez 2 a)^`()).[t] = 2%:R * ((1 - t) * (a 1%N - a 0%N) + t * (a 2%N - a 1%N)).
+Proof.
+have -> : bez 2 a = (a 0%N)%:P * (1 - 'X) ^+ 2 + (2%:R * a 1%N)%:P * ('X * (1 - 'X)) + (a 2%N)%:P * 'X ^+ 2.
+  rewrite /bez /index_iota /= !big_cons big_nil /B bin0 bin1 binn /= polyCM polyC_nat.
+  by move: ((a 0%N)%:P) ((a 1%N)%:P) ((a 2%N)%:P) => x y z; ring.
+split; first by rewrite !hornerE /=; ring.
+by rewrite !(derivD, derivM, derivN, derivC, derivX) /= !hornerE /=; ring.
+Qed.
+
+(** FJ07.C1 needs_same: a quadratic net with plane cells, $D_1=-C_0+C_1+D_0$ and $D_2=-2C_1+2C_2+D_1$, that is not developable:
+    $C=(0,0,0),(1,0,0),(1,1,0)$, $D=(0,0,1),(1,0,1),(1,2,1)$.
+    Hypotheses: $2\ne0$ in the field. *)
+Theorem FJ07_C1_needs_same : 2%:R != 0 :> F -> exists c d : nat -> 'rV[F]_3,
+  [/\ bary 1 1 c d 0, bary 2%:R 1 c d 1 & ~ developable (pbez 2 c) (pbez 2 d)].
+Proof.
+move=> two; pose c i : 'rV[F]_3 := nth 0 [:: 0; vec 1 0 0; vec 1 1 0] i.
+pose d i : 'rV[F]_3 := nth 0 [:: vec 0 0 1; vec 1 0 1; vec 1 2%:R 1] i; exists c, d; split.
+- by apply: row3P; rewrite /x_ /y_ /z_ /c /d /vec !mxE /=; ring.
+- by apply: row3P; rewrite /x_ /y_ /z_ /c /d /vec !mxE /=; ring.
+move/(congr1 (fun p : {poly F} => p.[-1])); rewrite horner0 ev_triple.
+have val (e : nat -> 'rV[F]_3) k : ev (pbez 2 e) (-1) 0 k = (1 - -1) ^+ 2 * e 0%N 0 k + 2%:R * -1 * (1 - -1) * e 1%N 0 k + (-1) ^+ 2 * e 2%N 0 k.
+  by rewrite !mxE; case: (bez2 (coord e k) (-1)).
+have der (e : nat -> 'rV[F]_3) k : ev (pderiv (pbez 2 e)) (-1) 0 k = 2%:R * ((1 - -1) * (e 1%N 0 k - e 0%N 0 k) + -1 * (e 2%N 0 k - e 1%N 0 k)).
+  by rewrite !mxE; case: (bez2 (coord e k) (-1)).
+have dif : ev (pbez 2 d - pbez 2 c) (-1) = ev (pbez 2 d) (-1) - ev (pbez 2 c) (-1).
+  by apply/rowP=> k; rewrite !mxE hornerD hornerN.
+have rowE (e : 'rV[F]_3) : e = vec (e 0 (@Ordinal 3 0 isT)) (e 0 (@Ordinal 3 1 isT)) (e 0 (@Ordinal 3 2 isT)).
+  by apply: row3P; rewrite /x_ /y_ /z_ /vec !mxE.
+rewrite dif (rowE (ev (pbez 2 d) (-1))) (rowE (ev (pbez 2 c) (-1))) (rowE (ev (pderiv (pbez 2 d)) (-1))) (rowE (ev (pderiv (pbez 2 c)) (-1))).
+rewrite !val !der /c /d /vec; coordinates => /eqP; apply/negP.
+by rewrite (_ : _ + _ = 2%:R ^+ 3) ?expf_neq0 //; ring.
+Qed.
+End Quadratic.
