@@ -2,8 +2,7 @@
    Definitions:
      drop_ k u         the list u without its first k members: piece k+1 of a spline has the knots drop_ k u
      curve n u c       the polynomial c[X, ..., X], one coordinate; velocity n u c is c[1-direction, X, ..., X], so c' = n velocity
-     pblossom u c v    the blossom of points (row vectors), coordinate by coordinate; pcurve and pvelocity likewise
-     insert_knot p x u, insert_point n p x u c   Boehm's knot insertion: x becomes the knot p *)
+     polys u           the list u as constant polynomials *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom.
 Set Implicit Arguments.

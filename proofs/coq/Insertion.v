@@ -1,0 +1,81 @@
+(* Knot insertion: control points over finer knots are blossom values, and the curve stays.
+   Definitions:
+     insert_knot p x u         the knots with x as knot number p; those from u_p on move up
+     insert_point n p x u c    Boehm's control points over these knots *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Insertion.
+Variable R : comUnitRingType.
+Implicit Types (u c : nat -> R) (x : R) (n p i j k : nat).
+
+Definition insert_knot p x u i := if (i < p)%N then u i else if i == p then x else u i.-1.
+Definition insert_point n p x u c i :=
+  if (i + n <= p)%N then c i else if (p < i)%N then c i.-1 else step u n (at_ x) c i.-1.
+
+(** blossoms refinement: over any knots $v$ that carry a piece, the blossom of $c$ has the control points $c[v_i,\dots,v_{i+n-1}]$.
+    Hypotheses: both knot lists carry a piece. *)
+Theorem blossoms_refinement n u v c w : span n u -> span n v -> size w = n ->
+  blossom v (fun i => blossom u c (knots v i n)) w = blossom u c w.
+Proof.
+move=> spu spv sz; have := blossoms_unique (blossom_polar c spu) spv sz; rewrite sz eqxx => ->.
+by apply: blossom_ext => i _; rewrite size_knots eqxx.
+Qed.
+
+Lemma knots_ext u v i j n : (forall k, (k < n)%N -> u (i + k)%N = v (j + k)%N) -> knots u i n = knots v j n.
+Proof.
+elim: n i j => [|n ih] i j e //; rewrite !knotsS (ih i.+1 j.+1).
+  by have := e 0%N isT; rewrite !addn0 => ->.
+by move=> k lt_k; rewrite !addSnnS; apply: e.
+Qed.
+
+Lemma knots_cat u i a b : knots u i (a + b) = knots u i a ++ knots u (i + a) b.
+Proof. by rewrite /knots iotaD map_cat. Qed.
+
+(* A blossom at a window of knots with one more argument. *)
+Lemma blossom_window n u c x i a b : span n.+1 u -> (i <= n)%N -> (a + b = n)%N ->
+  blossom u c (knots u i.+1 a ++ at_ x :: knots u (i.+1 + a) b) = step u n.+1 (at_ x) c i.
+Proof.
+move=> sp le_i eq_n; rewrite blossom_move ?size_knots ?eq_n //= size_cat !size_knots eq_n.
+rewrite -[knots u i.+1 a ++ _](_ : knots (shift u) i n = _); first by rewrite blossoms_knots //; exact: span_shift.
+by rewrite knots_shift /knots -map_cat -iotaD eq_n.
+Qed.
+
+(** blossoms insertion: Boehm's points over the knots with $x$ inserted as knot $p$ give the same blossom: a piece of the new list from $j$ on
+    agrees with the piece $j$ of the old one if $x$ is in its second half or beyond ($j+n\le p$), and with the piece $j-1$ otherwise.
+    Hypotheses: both pieces carry their knots; $n\le p$: $x$ is not inserted before the first piece. *)
+Theorem blossoms_insertion n p x u c j w (u' := insert_knot p x u) (c' := insert_point n p x u c)
+    (k := if (j + n <= p)%N then j else j.-1) :
+  (0 < n <= p)%N -> span n (drop_ k u) -> span n (drop_ j u') -> size w = n ->
+  blossom (drop_ j u') (drop_ j c') w = blossom (drop_ k u) (drop_ k c) w.
+Proof.
+case: n @c' @k => // n c' k /andP[_ le_p] spk spj sz; rewrite -(blossoms_refinement (drop_ k c) spk spj sz).
+apply: blossom_ext => i; rewrite sz => le_i; rewrite {1}/drop_ /c' /insert_point.
+have k_ge : (if (j + n.+1 <= p) then k = j else k.+1 = j)%N by rewrite /k; case: leqP => h //=; lia.
+clearbody k.
+case: ifP => [left | /negbT]; last rewrite -ltnNge => middle.
+  have ek : k = j by move: k_ge; case: leqP => h //; lia.
+  rewrite (@knots_ext _ (drop_ k u) i i); first by rewrite blossoms_knots // ek.
+  by move=> h lt_h; rewrite /drop_ /u' /insert_knot ek ifT //; lia.
+case: ifP => [right | /negbT]; last rewrite -leqNgt => inside.
+  have [i' ei] : exists i', (k + i' = (j + i).-1)%N /\ (i' <= n.+1)%N.
+    by move: k_ge; case: leqP => h e; [exists i.-1 | exists i]; lia.
+  rewrite (@knots_ext _ (drop_ k u) i i'); first by rewrite blossoms_knots ?ei.2 // /drop_ ei.1.
+  by move=> h lt_h; rewrite /drop_ /u' /insert_knot ifF ?ifF; [congr u; lia | lia | lia].
+have [i' [ei le_i']] : exists i', (k + i' = (j + i).-1)%N /\ (i' <= n)%N.
+  by move: k_ge; case: leqP => h e; [exists i.-1 | exists i]; lia.
+pose a := (p - (j + i))%N; have eab : (a + (n - a) = n)%N by rewrite subnKC // /a; lia.
+transitivity (step (drop_ k u) n.+1 (at_ x) (drop_ k c) i').
+  by rewrite /step /drop_ /= !addnA !addnS ei.
+rewrite -(blossom_window (drop_ k c) x spk le_i' eab); congr (blossom _ _ _).
+rewrite -[in RHS]eab -addnS knots_cat knotsS; congr (_ ++ _ :: _).
+- by apply: knots_ext => h lt_h; rewrite /drop_ /u' /insert_knot ifT; [congr u; lia | lia].
+- by rewrite /drop_ /u' /insert_knot ifF ?ifT //; lia.
+- by apply: knots_ext => h lt_h; rewrite /drop_ /u' /insert_knot ifF ?ifF; [congr u; lia | lia | lia].
+Qed.
+End Insertion.
