@@ -46,10 +46,10 @@ rewrite -[knots u i.+1 a ++ _](_ : knots (shift u) i n = _); first by rewrite bl
 by rewrite knots_shift /knots -map_cat -iotaD eq_n.
 Qed.
 
-(** blossoms insertion: Boehm's points over the knots with $x$ inserted as knot $p$ give the same blossom: a piece of the new list from $j$ on
+(** blossoms boehm: Boehm's points over the knots with $x$ inserted as knot $p$ give the same blossom: a piece of the new list from $j$ on
     agrees with the piece $j$ of the old one if $x$ is in its second half or beyond ($j+n\le p$), and with the piece $j-1$ otherwise.
     Hypotheses: both pieces carry their knots; $n\le p$: $x$ is not inserted before the first piece. *)
-Theorem blossoms_insertion n p x u c j w (u' := insert_knot p x u) (c' := insert_point n p x u c)
+Theorem blossoms_boehm n p x u c j w (u' := insert_knot p x u) (c' := insert_point n p x u c)
     (k := if (j + n <= p)%N then j else j.-1) :
   (0 < n <= p)%N -> span n (drop_ k u) -> span n (drop_ j u') -> size w = n ->
   blossom (drop_ j u') (drop_ j c') w = blossom (drop_ k u) (drop_ k c) w.
