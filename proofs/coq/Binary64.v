@@ -3,7 +3,7 @@
    Definitions:
      number     a binary64: 53 bits, exponents up to 1024; infinities, a NaN and both zeros among them
      bplus, bminus, btimes, bover   its operations, rounded to nearest, ties to even
-     zero, one, half, tiny          0, 1, 1/2 and the least double 2^-1074 *)
+     zero, one, half, tiny, largest 0, 1, 1/2, the least positive double 2^-1074 and the largest (2^53 - 1) 2^971 *)
 From Coq Require Import ZArith Reals Psatz.
 From Flocq Require Import Core BinarySingleNaN Relative Plus_error.
 
@@ -118,6 +118,7 @@ Arguments overflown_difference {x y} _ _ _.
 Definition zero : number := B754_zero false.
 Definition one : number := @B754_finite 53 1024 false 4503599627370496 (-52) eq_refl.
 Definition half : number := @B754_finite 53 1024 false 4503599627370496 (-53) eq_refl.
+Definition largest : number := @B754_finite 53 1024 false 9007199254740991 971 eq_refl.
 Definition tiny : number := @B754_finite 53 1024 false 1 (-1074) eq_refl.
 
 Lemma one_value : B2R one = 1%R.
@@ -125,4 +126,6 @@ Proof. unfold B2R, F2R; simpl; lra. Qed.
 Lemma half_value : B2R half = (/ 2)%R.
 Proof. unfold B2R, F2R; simpl; lra. Qed.
 Lemma tiny_value : (0 < B2R tiny)%R.
+Proof. apply F2R_gt_0; easy. Qed.
+Lemma largest_value : (0 < B2R largest)%R.
 Proof. apply F2R_gt_0; easy. Qed.
