@@ -1,6 +1,6 @@
 (* ZW06: what happens without the hypotheses of the theorems, one counterexample each. *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier ZW06 ZW06_cases ZW06_nets FJ21_4 Needs_blossoms Needs_FJ07 Needs_FJ07_curves.
+From Torse Require Import Blossom Curves Points Bernstein Bezier ZW06 ZW06_cases ZW06_nets ZW06_system FJ21_4 Needs_blossoms Needs_FJ07 Needs_FJ07_curves.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -179,4 +179,34 @@ Proof.
 split=> [rho|L M]; rewrite line1 !mxE /=; first by ring.
 by move/eqP; rewrite !mulr0 addr0 !mulr1 subrK eq_sym oner_eq0.
 Qed.
+
+(** ZW06.6 needs_factorial: where $n=0$ in the field, $\tau=(1,u^n)$ has $\tau'=0$ and is no multiple of one vector. *)
+Theorem ZW06_6_needs_factorial n (tau := fun i => \row_(k < 2) (if val k is 0%N then 1 else (i == n.+1)%:R) : 'rV[F]_2) : n.+1%:R = 0 :> F ->
+  pderiv (pbez n.+1 tau) = 0 /\ ~ exists e h, forall i, (i <= n.+1)%N -> tau i = h i *: e.
+Proof.
+move=> n0; split.
+  apply/rowP=> -[[|[|//]] lt_k]; rewrite !mxE.
+    rewrite (bez_ext (d := fun=> 1)) => [|i _]; last by rewrite /coord mxE.
+    rewrite (_ : bez n.+1 _ = 1) -?polyC1 ?derivC //; rewrite polyC1 -(B_sum F n.+1); apply: eq_big_nat => i _.
+    by rewrite polyC1 mul1r.
+  have /rowP/(_ 0) := tip_deriv n0; rewrite !mxE => e; rewrite -[RHS]e; congr (_^`()).
+  by apply: bez_ext => i _; rewrite /coord !mxE.
+case=> e [h eq_tau]; have := congr1 (fun r : 'rV_2 => (r 0 0, r 0 1)) (eq_tau 0%N isT).
+have := congr1 (fun r : 'rV_2 => r 0 1) (eq_tau n.+1 (leqnn _)); rewrite !mxE /= eqxx => e1 [h0 /esym/eqP].
+rewrite mulf_eq0 => /orP[/eqP h00|/eqP e10]; first by move/eqP: h0; rewrite h00 mul0r oner_eq0.
+by move/eqP: e1; rewrite e10 mulr0 oner_eq0.
+Qed.
+
+(** ZW06.G needs_factor: where $a+k\beta=0$ and $b=\beta u$ the system without right side has the solution $u^k$. *)
+Theorem ZW06_G_needs_factor (a beta : F) k : a + k%:R * beta = 0 -> a%:P * 'X^k + (beta%:P * 'X) * ('X^k)^`() = 0.
+Proof.
+move=> e; have -> : a = - (k%:R * beta) by apply/eqP; rewrite -addr_eq0 e.
+rewrite derivXn; case: k {e} => [|k]; first by rewrite mulr0n mulr0 mul0r oppr0 polyC0 mul0r addr0.
+rewrite -['X^k.+1.-1 *+ k.+1]mulr_natl exprS polyCN polyCM polyC_nat.
+by move: (k.+1%:R : {poly F}) (beta%:P) ('X^k : {poly F}) => x y z; ring.
+Qed.
+
+(** ZW06.G needs_factorial: where $n=0$ in the field $\tau'=0$ ($a=0$, $b=1$) has the solutions $1$ and $u^n$, whose quotient is not constant. *)
+Theorem ZW06_G_needs_factorial n : n.+1%:R = 0 :> F -> 0 * 'X^n.+1 + 1 * ('X^n.+1)^`() = 0 :> {poly F}.
+Proof. by move=> n0; rewrite mul0r add0r mul1r derivXn -mulr_natl -(polyC_nat F) n0 polyC0 mul0r. Qed.
 End Nets.
