@@ -29,8 +29,8 @@ Spline<S, P> with_multiplicity(Spline<S, P> curve, const S& t, int times) {
   return curve;
 }
 
-/// The part of a curve between two parameters a < b of its domain, with n-fold knots at both. Throws InvalidInput naming
-/// "t" for parameters outside the domain and unless a < b.
+/// The part of a curve between two parameters a < b of its domain, with n-fold knots at both. Throws InvalidInput
+/// naming "t" for parameters outside the domain and unless a < b.
 template <OrderedField S, class P>
 Spline<S, P> restrict_spline(const Spline<S, P>& curve, const S& a, const S& b) {
   if (definitely(!less(a, b))) {
