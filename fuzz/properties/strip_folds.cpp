@@ -70,14 +70,13 @@ const PropertyInfo& StripFolds::info() {
 
 StripFolds::In StripFolds::draw(Choices& choices, const Scale& scale, Labels& labels) {
   Scale small = lean(scale, 24);
-  small.degree = std::min(scale.degree, 3);
+  small.degree = 2;
   small.pieces = std::min(scale.pieces, 2);
   In in;
   in.polynomial = !choices.once_in(3);
   if (in.polynomial) {
     in.net = with_weights(draw_net(choices, small));
   } else {
-    small.degree = std::min(small.degree, 2);
     in.net = draw_rational_net(choices, small);
     for (std::vector<Row4>* row : {&in.net.c, &in.net.d}) {
       for (Row4& x : *row) {
