@@ -104,6 +104,41 @@ TEST(Bound, HoldsAndIsNotIdle) {
   EXPECT_LE(most, 1);
 }
 
+/// vertex of proofs/coq/Rounding.v in one coordinate: the operations that the proof of the bound speaks of, in their
+/// order.
+double proved_vertex(double lambda, double m, const std::vector<double>& near, const std::vector<double>& far,
+                     const std::vector<double>& p, double d) {
+  double ruling = d - p[0];
+  for (std::size_t j = 0; j < near.size(); ++j) {
+    ruling = ((p[j + 1] - p[j]) * (lambda - m) + (m - near[j]) * ruling) / (m - far[j]);
+  }
+  return near.empty() ? d : p[near.size()] + ruling;
+}
+
+/// Equal in every bit, or the theorem is about another program.
+TEST(Bound, TheLibraryDoesTheOperationsOfTheProof) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const Case in = draw_case(Levels{}, seed);
+    const auto x = lift<double>(in, [](float y, std::size_t) { return static_cast<double>(y) / 3; });
+    const int n = in.degree;
+    for (const int k : {0, in.last() / 2, in.last()}) {
+      const Vec<double, 3>& dk = x.anchors[0];
+      const auto d = net_from<double, Vec<double, 3>>(x.u, x.c, x.lambda, x.m, k, dk);
+      for (int i = 0; i <= in.last(); ++i) {
+        for (int j = 0; j < 3; ++j) {
+          std::vector<double> near, far, p{x.c[static_cast<std::size_t>(k)][j]};
+          for (int at = k; at != i; at += i > k ? 1 : -1) {
+            near.push_back(i > k ? x.u[at + n] : x.u[at - 1]);
+            far.push_back(i > k ? x.u[at] : x.u[at - 1 + n]);
+            p.push_back(x.c[static_cast<std::size_t>(i > k ? at + 1 : at - 1)][j]);
+          }
+          EXPECT_EQ(d[static_cast<std::size_t>(i)][j], proved_vertex(x.lambda, x.m, near, far, p, dk[j]));
+        }
+      }
+    }
+  }
+}
+
 /// The bound speaks of FJ07.13.rulings: the formula as printed does not obey it far from the origin.
 TEST(Bound, ThePrintedFormulaDoesNotObeyIt) {
   Levels levels;
