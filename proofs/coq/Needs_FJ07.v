@@ -125,10 +125,13 @@ Proof. by move=> h; rewrite /next_l -[RHS](divff h) /D; congr (_ / _); ring. Qed
 Theorem FJ07_18_cone_needs_width a b p mu : D a b p mu != 0 -> next_mu a b p b mu = 1.
 Proof. by move=> h; rewrite /next_mu -[RHS](divff h). Qed.
 
-(** FJ07.18 needs_denominator: where the denominator of (18) is 0 no $l$ and no $\mu$ solve $D\,l=\dots$, $D\,\mu=\dots$, be it a cylinder
-    ($l_{i-1}=1$) and a cone ($\mu_{i-1}=1$) before or not: $u_{i-2}=0$, $u_{i-1}=1$, $u_{i+n-2}=u_{i+n-1}=1$, $\mu_{i-1}=0$, $l_{i-1}=0$. *)
-Theorem FJ07_18_needs_denominator : D 0 1 1 0 = 0 :> F /\ forall l : F, 0 * l <> 0 * (1 - 0) + 0 * (1 - 0) - 1 + 0.
-Proof. by rewrite /D; split=> [|l]; [ring | rewrite !mul0r add0r addr0 sub0r => /esym/eqP; rewrite oppr_eq0 oner_eq0]. Qed.
+(** FJ07.18 cylinder_needs_denominator: where the denominator $D$ of (18) is 0 and $l_{i-1}=1$ the equation $D\,l_i=\dots$ holds for all $l_i$. *)
+Theorem FJ07_18_cylinder_needs_denominator a b p mu l : D a b p mu = 0 -> D a b p mu * l = mu * (b - a) + 1 * (p - a) - b + a.
+Proof. by move=> e; rewrite {1}e mul0r -e /D; ring. Qed.
+
+(** FJ07.18 cone_needs_denominator: where the denominator is 0 and $\mu_{i-1}=1$ the equation $D\,\mu_i=\dots$ holds for all $\mu_i$. *)
+Theorem FJ07_18_cone_needs_denominator a b p q mu : D a b p 1 = 0 -> D a b p 1 * mu = p - q + 1 * (q - a).
+Proof. by move=> e; rewrite {1}e mul0r -e /D; ring. Qed.
 
 (** FJ07.T1 needs_span: on an empty piece the relation says nothing and (13) may fail: $n=1$, $u_0=u_1=0$, $\Lambda^{*}=1$, $M^{*}=0$. *)
 Theorem FJ07_T1_needs_span (c := on_line [:: 1]) (d := on_line [::]) :

@@ -20,8 +20,8 @@ rewrite /p /w !scaler0 scale0r subr0 addr0 d0 linear0; split=> //.
 by apply/eqP; rewrite oner_eq0.
 Qed.
 
-(** ZW06.8 needs_turn: where $\tau\times\tau'=0$, as on a cylinder, the singular point may be no other than $a_1(u)$ or any: $\tau$ constant and
-    $a'=\tau$ make every point of the ruling singular, whatever $b$ is. *)
+(** ZW06.8 needs_turn: where $\tau\times\tau'=0$ every point of the ruling may be singular: $\tau$ constant and $a(u)=u\tau$, a surface that is
+    a line. *)
 Theorem ZW06_8_needs_turn u v (e : 'rV[F]_3) (w := map_mx polyC e) (p := 'X *: w) (b : {poly F}) :
   pderiv p = 1 *: w + b *: pderiv w /\ cross (ev (pderiv p) u + v *: ev (pderiv w) u) (ev w u) = 0.
 Proof.

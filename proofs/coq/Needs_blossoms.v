@@ -40,7 +40,7 @@ Qed.
 Theorem blossoms_needs_span u : u 0%N = u 1%N -> knots u 0 1 = knots u 1 1.
 Proof. by rewrite /knots /= => ->. Qed.
 
-(** blossoms symmetric_needs_span: over the knots $0,1,0,0$ the points $0,1,0$ give $c[1,0]=0$ and $c[0,1]=1-0$ when $x/0=0$: where
+(** blossoms symmetric_needs_span: over the knots $0,1,0,0$ the points $0,1,0$ give $c[1,0]=1$ and $c[0,1]=0$ when $x/0=0$: where
     $u_2=u_0$ the order of the arguments matters. *)
 Theorem blossoms_symmetric_needs_span (c := listed [:: 0; 1; 0]) :
   blossom bent c [:: at_ 1; at_ 0] <> blossom bent c [:: at_ 0; at_ 1].

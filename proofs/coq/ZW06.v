@@ -168,7 +168,7 @@ apply/rowP=> k; rewrite !mxE; move: (p i.+2 0 k) (p i.+1 0 k) (p i 0 k) (tau i.+
 by move=> p2 p1 p0 x2 x1 x0 j l; ring.
 Qed.
 
-(** ZW06.20 unique: then, for every $\rho$, $s$, $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$ (Aumann), $i=0..n-1$, and conversely.
+(** ZW06.20 unique: the equation of (19), without its denominator, holds iff $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$ (Aumann), $i=0..n-1$.
     Hypotheses: $n!\ne0$ in the field.
     Paper: sets $i=0$ and lets the defects vanish one after the other; that they must needs the hypothesis. *)
 Theorem ZW06_20_unique n p tau rho s (q := fun i => p i + tau i) : good F n ->
