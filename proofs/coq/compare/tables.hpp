@@ -1,0 +1,21 @@
+// The functions of the comparison by name.
+//   Function, Table           from a problem to the answer of the library, by name
+//   over_knots, of_one_piece  all of them
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "torse/proofs/coq/compare/problem.hpp"
+
+namespace torse::compare {
+
+using Function = Answer (*)(const Problem&);
+using Table = std::map<std::string, Function>;
+
+/// The functions of splines, of their pieces and cells.
+const Table& over_knots();
+/// The functions of Bezier polygons, and those at one parameter.
+const Table& of_one_piece();
+
+}  // namespace torse::compare
