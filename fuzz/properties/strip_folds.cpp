@@ -84,6 +84,7 @@ StripFolds::In StripFolds::draw(Choices& choices, const Scale& scale, Labels& la
       }
     }
   }
+  if (in.net.knots.degree() > 2) throw Discard("products of high degree");
   labels.add("polynomial", in.polynomial ? 1 : 0);
   return in;
 }
