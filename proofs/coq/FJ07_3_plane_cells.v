@@ -37,10 +37,12 @@ have der (e : nat -> 'rV[F]_3) k : ev (pderiv (pbez 2 e)) (-1) 0 k = 2%:R * ((1 
   by rewrite !mxE; case: (bez2 (coord e k) (-1)).
 have dif : ev (pbez 2 d - pbez 2 c) (-1) = ev (pbez 2 d) (-1) - ev (pbez 2 c) (-1).
   by apply/rowP=> k; rewrite !mxE hornerD hornerN.
-have rowE (e : 'rV[F]_3) : e = vec (e 0 (@Ordinal 3 0 isT)) (e 0 (@Ordinal 3 1 isT)) (e 0 (@Ordinal 3 2 isT)).
-  by apply: row3P; rewrite /x_ /y_ /z_ /vec !mxE.
-rewrite dif (rowE (ev (pbez 2 d) (-1))) (rowE (ev (pbez 2 c) (-1))) (rowE (ev (pderiv (pbez 2 d)) (-1))) (rowE (ev (pderiv (pbez 2 c)) (-1))).
-rewrite !val !der /c /d /vec; coordinates => /eqP; apply/negP.
-by rewrite (_ : _ + _ = 2%:R ^+ 3) ?expf_neq0 //; ring.
+have eC : ev (pbez 2 c) (-1) = vec (- 3%:R) 1 0 by apply: row3P; rewrite /x_ /y_ /z_ val /c /vec !mxE /=; ring.
+have eD : ev (pbez 2 d) (-1) = vec (- 3%:R) 2%:R 1 by apply: row3P; rewrite /x_ /y_ /z_ val /d /vec !mxE /=; ring.
+have eC' : ev (pderiv (pbez 2 c)) (-1) = vec 4%:R (- 2%:R) 0 by apply: row3P; rewrite /x_ /y_ /z_ der /c /vec !mxE /=; ring.
+have eD' : ev (pderiv (pbez 2 d)) (-1) = vec 4%:R (- 4%:R) 0 by apply: row3P; rewrite /x_ /y_ /z_ der /d /vec !mxE /=; ring.
+rewrite dif eC eD eC' eD' {val der dif eC eD eC' eD'} => det; have : 2%:R ^+ 3 = 0 :> F.
+  by rewrite -[RHS]det; coordinates; ring.
+by move/eqP; rewrite expf_eq0 (negPf two) andbF.
 Qed.
 End Quadratic.
