@@ -188,7 +188,7 @@ case: normal => [/zero_value->|/zero_value->|/normal_value].
 by rewrite (times_round h); exact: rounded_normal.
 Qed.
 
-(** rounding.binary64 quotient: so has a quotient.
+(** rounding.binary64 quotient: a quotient of doubles that neither over- nor underflows has a relative error of at most $2^{-53}$.
     Hypotheses: the computed quotient and the divisor are finite; the dividend is zero, or the computed quotient is at least $2^{-1022}$ in size. *)
 Theorem rounding_binary64_quotient x y : is_finite (bover x y) = true -> is_finite y = true -> over_survives x y ->
   rational y != 0 /\ rounded eps (rational x / rational y) (rational (bover x y)).
