@@ -62,7 +62,6 @@ struct ClaimInfo {
   int max_degree = 64;
   int max_pieces = 64;           ///< 1 for a statement about one Bezier piece
   std::string_view remark = {};  ///< what the paper omits or gets wrong, in words
-  std::string_view coq = {};     ///< the theorem's name in proofs/coq
 
   /// "FJ07" of "FJ07.16".
   std::string_view paper() const { return id.substr(0, id.find('.')); }
