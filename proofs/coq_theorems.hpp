@@ -14,7 +14,7 @@ struct CoqTheorem {
 };
 
 // clang-format off
-inline constexpr std::array<CoqTheorem, 350> coq_theorems{
+inline constexpr std::array<CoqTheorem, 354> coq_theorems{
     CoqTheorem{"FJ07.1", "FJ07_1_curvature"},
     CoqTheorem{"FJ07.2", "FJ07_2_ruling"},
     CoqTheorem{"FJ07.3", "FJ07_3_normals"},
@@ -201,6 +201,8 @@ inline constexpr std::array<CoqTheorem, 350> coq_theorems{
     CoqTheorem{"FJ21.2.1", "FJ21_2_1_ruling"},
     CoqTheorem{"FJ21.2.1", "FJ21_2_1_plane"},
     CoqTheorem{"FJ21.2.1", "FJ21_2_1_determinant"},
+    CoqTheorem{"FJ21.3.1", "FJ21_3_1_algorithm"},
+    CoqTheorem{"FJ21.3.1", "FJ21_3_1_needs_weights"},
     CoqTheorem{"FJ21.3.2", "FJ21_3_2_homogeneous"},
     CoqTheorem{"FJ21.3.2", "FJ21_3_2_derivative"},
     CoqTheorem{"FJ21.3.3", "FJ21_3_3_dependence"},
@@ -211,6 +213,8 @@ inline constexpr std::array<CoqTheorem, 350> coq_theorems{
     CoqTheorem{"FJ21.4.3", "FJ21_4_3_gauge"},
     CoqTheorem{"FJ21.4.3", "FJ21_4_3_unique"},
     CoqTheorem{"FJ21.4.3", "FJ21_4_3_program"},
+    CoqTheorem{"FJ21.4.4", "FJ21_4_4_points"},
+    CoqTheorem{"FJ21.4.4", "FJ21_4_4_frame"},
     CoqTheorem{"FJ21.5.1", "FJ21_5_1_curve"},
     CoqTheorem{"FJ21.5.2", "FJ21_5_2_blossom"},
     CoqTheorem{"FJ21.5.2", "FJ21_5_2_functions"},

@@ -76,6 +76,19 @@ theorem = re.compile(r"\(\*\* (?P<id>[A-Za-z0-9.]+) (?P<word>\w+): (?P<text>.*?)
                      r"(?P<statement>(?:Theorem|Lemma) (?P<name>\w+).*?\.)\nProof", re.S)
 
 
+def under_hypotheses(before):
+    """Whether a section that is open at the end of this text has stated a hypothesis."""
+    open_sections = [False]
+    for word in re.findall(r"^(Section|End|Hypothes[ie]s)\b", without_comments(before), re.M):
+        if word == "Section":
+            open_sections.append(False)
+        elif word == "End":
+            open_sections.pop()
+        else:
+            open_sections[-1] = True
+    return any(open_sections)
+
+
 def theorems():
     """Every statement with a claim id, in the order of the files."""
     found = []
@@ -87,7 +100,8 @@ def theorems():
         entries = [match.groupdict() | {"file": file} for match in theorem.finditer(text)]
         if len(entries) != text.count("\n(** "):
             fail(f"{file}: {text.count(chr(10) + '(** ')} comments begin with (** but {len(entries)} are followed by a statement with a claim id")
-        for entry in entries:
+        for entry, match in zip(entries, theorem.finditer(text)):
+            entry["under_hypotheses"] = under_hypotheses(text[: match.start()])
             stem = re.sub(r"\W", "_", entry["id"])
             if entry["id"].split(".")[0] not in papers or entry["name"] != f"{stem}_{entry['word']}":
                 fail(f"{file}: {entry['name']} should be called {stem}_{entry['word']}")
@@ -174,7 +188,8 @@ def index(found):
             axioms = "" if not entry["axioms"] else " It rests on " + ", ".join(f"`{axiom}`" for axiom in entry["axioms"]) + "."
             lines += [f"**{entry['word'].replace('_', ' ')}** ([{entry['file']}]({entry['file']})): {text}{axioms}"]
             lines += [f"\n*{title_of_part[part]}*: {words}" for part, words in more.items()]
-            lines += ["", "```coq", entry["statement"], "```", ""]
+            whole = f"Theorem {entry['name']} : {entry['printed']}." if entry["under_hypotheses"] else entry["statement"]
+            lines += ["", "```coq", whole, "```", ""]
     return "\n".join(lines)
 
 
