@@ -11,6 +11,13 @@
     sub(/\]\(#.*/, "", link)
     $0 = substr($0, 1, RSTART - 1) link substr($0, RSTART + RLENGTH)
   }
-  if ($0 !~ /`/ && split($0, parts, "$") % 2) gsub(/\$/, "``")
+  count = split($0, spans, "`")
+  if (count % 2) {
+    $0 = ""
+    for (i = 1; i <= count; ++i) {
+      if (i % 2 && split(spans[i], parts, "$") % 2) gsub(/\$/, "``", spans[i])
+      $0 = $0 (i > 1 ? "`" : "") spans[i]
+    }
+  }
   print
 }

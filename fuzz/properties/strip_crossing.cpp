@@ -43,15 +43,16 @@ Point3 point_at(const In& in, const Q& t, const Q& share) {
   return z;
 }
 
-/// Moves one control point of c so that the rulings of two parameters have a point in common.
+/// Moves one control point of c so that the rulings of two parameters have a point between the rails in common.
 void make_cross(Choices& choices, In& in) {
   const auto parameter = [&](int eighths) {
     return in.knots.domain_begin() + Q(eighths) / Q(8) * (in.knots.domain_end() - in.knots.domain_begin());
   };
   const Q first = parameter(choices.between(0, 3));
   const Q second = parameter(choices.between(5, 8));
-  const Q first_share = Q(choices.between(0, 4)) / Q(4);
-  const Q second_share = Q(choices.between(0, 4)) / Q(4);
+  // Inside both rulings: neighbours may share a point of a rail.
+  const Q first_share = Q(choices.between(1, 3)) / Q(4);
+  const Q second_share = Q(choices.between(1, 3)) / Q(4);
   const std::size_t moved = static_cast<std::size_t>(choices.between(0, in.knots.last()));
   In unit = in;
   std::ranges::fill(unit.c, Point3(Q(0), Q(0), Q(0)));

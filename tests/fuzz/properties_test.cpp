@@ -36,7 +36,7 @@ TEST(Properties, HaveNamesOfTheirOwnAndAreAllThere) {
   std::set<std::string_view> names;
   for (const Property* property : properties()) names.insert(property->info().name);
   EXPECT_EQ(names.size(), properties().size());
-  EXPECT_EQ(properties().size(), 27U);
+  EXPECT_EQ(properties().size(), 32U);
 }
 
 }  // namespace
