@@ -2,7 +2,8 @@
    booleans, lists, pairs and options by OCaml's own. *)
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt.
 From Torse Require Import Executable Executable_knots Executable_net Executable_pieces Executable_determinant Executable_FJ21 Executable_ZW06
-  Executable_splines.
+  Executable_splines
+  Executable_changes Executable_edge Executable_rational.
 
 Extraction Language OCaml.
 Extraction "programs.ml" knot_list blossom_program point_program derivative_program net_program
@@ -10,4 +11,6 @@ Extraction "programs.ml" knot_list blossom_program point_program derivative_prog
   first_cell_program next_cell_program cell_program restricted_program determinant_program check_program
   to_blossom_program to_frame_program standard_program gauge_program weights_program edge_program unelevated_program elevated_program rational_program
   cone_program start_cone_program mean_tangent_program tangent_program mean_chord_program affine_net_program
-  pieces_program bezier_program insertion_program steps_program elevation_program.
+  pieces_program bezier_program insertion_program steps_program elevation_program
+  dependence_program moebius_program moebius_rows moebius_functions_program unshortened_program shortened_program
+  times_program edge_rows_program patch_program determinant4_program check4_program.

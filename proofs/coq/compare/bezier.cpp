@@ -29,11 +29,6 @@ Functions triple(const Problem& p) {
   return {x.at(0), x.at(1), x.at(2)};
 }
 
-Linear<Q> factor(const Problem& p, const char* key) {
-  const std::vector<Q> x = p.numbers(key);
-  return {x.at(0), x.at(1)};
-}
-
 Answer edge(const Problem& p) {
   const auto f = triple<BlossomFunctions<Q>>(p);
   const EdgeSpeed<Q> speed = edge_speed(p.integer("n"), p.number("t"), f);
@@ -43,13 +38,6 @@ Answer edge(const Problem& p) {
 Answer standard(const Problem& p) {
   const std::vector<Q> x = p.numbers("x");
   return Answer() << standard_parameter(x.at(0), x.at(1), x.at(2));
-}
-
-/// 5.3 or its inverse.
-template <class Map>
-Answer factors(const Problem& p, Map map) {
-  return blossom_functions(
-      map(p.integer("n"), p.number("t"), triple<BlossomFunctions<Q>>(p), factor(p, "f"), factor(p, "g")));
 }
 
 Answer elevation(const Problem& p) {
@@ -80,8 +68,6 @@ const Table& of_one_piece() {
          return blossom_functions(scaled_weights(triple<BlossomFunctions<Q>>(p), p.number("a"), p.number("b")));
        }},
       {"edge", edge},
-      {"unelevated", [](P p) { return factors(p, unelevated<Q>); }},
-      {"elevated_functions", [](P p) { return factors(p, elevated_functions<Q>); }},
       {"coefficients_from_steps", [](P p) { return Answer() << coefficients_from_steps<Q>(p.numbers("e")); }},
       {"elevated_points", elevation},
       {"cone_net",

@@ -14,6 +14,7 @@ class Draw:
         self.random, self.kind = random.Random(seed), kind
         self.huge = kind == "huge fractions"
         self.fewest = 1  # number of pieces, where there are not many
+        self.usual, self.highest = 5, 16  # the highest degree, and where it is high
 
     def number(self, most=9):
         if self.huge:
@@ -29,7 +30,7 @@ class Draw:
         return [self.number() for _ in range(dimension)]
 
     def degree(self):
-        self.n = self.random.randint(*((6, 16) if self.kind == "high degree" else (1, 3) if self.kind == "many pieces" else (1, 5)))
+        self.n = self.random.randint(*((6, self.highest) if self.kind == "high degree" else (1, 3) if self.kind == "many pieces" else (1, self.usual)))
         return self.n
 
     def knots(self):

@@ -1,6 +1,8 @@
 // Reads a problem a line and prints the answer of the library's templates with exact rationals: the other side of
 // main.ml.
 #include <iostream>
+#include <stdexcept>
+#include <string>
 
 #include "torse/proofs/coq/compare/tables.hpp"
 
@@ -10,8 +12,10 @@ namespace {
 std::string solve(const std::string& line) {
   const Problem problem(line);
   try {
-    const Table& table = over_knots().contains(problem.name()) ? over_knots() : of_one_piece();
-    return table.at(problem.name())(problem).text();
+    for (const Table* table : {&over_knots(), &of_one_piece(), &of_changes()}) {
+      if (const auto found = table->find(problem.name()); found != table->end()) return found->second(problem).text();
+    }
+    throw std::out_of_range(problem.name());
   } catch (const InvalidInput& e) {
     return "error " + e.place();
   } catch (const DivisionByZero&) {

@@ -55,7 +55,8 @@ let with_factors program p = match numbers p "x", numbers p "f", numbers p "g" w
 (* A Bezier curve c, whose row is always there. *)
 let of_directrix program p = of_points (Value (program field (space 3) (points p "c")))
 
-let x p = List.nth p 0 and y p = List.nth p 1 and z p = List.nth p 2
+(* Coordinates of points and of homogeneous rows. *)
+let x p = List.nth p 0 and y p = List.nth p 1 and z p = List.nth p 2 and t p = List.nth p 3
 
 let programs = [
   "knots", (fun p -> answer (fun () -> []) (knot_list field (integer p "n") (numbers p "u") (Value ())));
@@ -99,6 +100,18 @@ let programs = [
   "tangent_net", of_directrix tangent_program;
   "mean_chord_net", of_directrix mean_chord_program;
   "affine_net", (fun p -> of_points (Value (affine_net_program (space 3) (points p "c") (number p "x") (number p "s") (point p "d"))));
+  "from_dependence", (fun p -> match numbers p "x" with [a; b; c; d] -> of_point (dependence_program field a b c d) | _ -> failwith "x");
+  "moebius_parameter", (fun p -> of_point (moebius_program field (number p "a") (number p "t")));
+  "moebius_rows", (fun p -> of_points (Value (moebius_rows field (space 3) (number p "a") (points p "c"))));
+  "moebius_functions", (fun p -> match numbers p "x" with [a; b; c] -> of_point (moebius_functions_program field a b c (number p "a")) | _ -> failwith "x");
+  "unshortened", with_factors unshortened_program;
+  "shortened_functions", with_factors shortened_program;
+  "times_linear", (fun p -> match numbers p "f" with [a; b] -> of_points (Value (times_program field (space 3) (points p "c") a b)) | _ -> failwith "f");
+  "edge_curve", (fun p -> match numbers p "x" with
+    [a; b; c] -> of_points (edge_rows_program field (space 3) (points p "c") (points p "d") a b c) | _ -> failwith "x");
+  "edge_patch", (fun p -> of_points (Value (patch_program field (space 3) (points p "c") (number p "x"))));
+  "determinant4", (fun p -> of_point (spline (fun k v -> determinant4_program k v x y z t) p (points p "d") (integer p "k") (number p "t")));
+  "find_witness4", (fun p -> answer (fun k -> [Q.of_int k]) (spline (fun k v -> check4_program k v x y z t) p (points p "d")));
   "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
 ]
 

@@ -98,6 +98,7 @@ def one_cell(draw):
 
 def pair(draw):
     """Two rows; often those of a developable surface."""
+    draw.usual, draw.highest = 3 if draw.huge else 5, 11
     members = net(draw)
     n, u, c, lam, m, d = (members[key] for key in "nucLMd")
     rows = [d]
@@ -132,6 +133,47 @@ def at_parameter(draw):
 def scaling(draw):
     members = at_parameter(draw)
     return {"x": members["x"], "a": draw.random.choice((0, draw.number(), draw.number())), "b": draw.random.choice((0, draw.number(), draw.number()))}
+
+
+def dependence(draw):
+    """The coefficients of a dependence; sums are often 0."""
+    l, m = draw.number(), draw.number()
+    return {"x": [l, draw.random.choice((-l, draw.number(), draw.number())), m, draw.random.choice((-m, draw.number(), draw.number()))]}
+
+
+def moebius(draw):
+    """A transformation, three functions, a parameter and rows; sometimes one of the numbers is sent to infinity."""
+    b = draw.random.choice((1, draw.number(), draw.number(), draw.number()))
+    pole = Fraction(1) / (1 - b) if b != 1 else Fraction(0)
+    x = [draw.random.choice((pole, draw.number(), draw.number(), draw.number())) for _ in range(3)]
+    t = draw.random.choice((-b * pole, draw.number(), draw.number(), draw.number()))
+    return bezier(draw) | {"a": b, "x": x, "t": t}
+
+
+def patch(draw):
+    """The rows of a patch, three constants, two of which are sometimes equal, a factor, and a number."""
+    members = restriction(draw)
+    lam, m = draw.number(), draw.number()
+    return members | {"x": [lam, lam if draw.random.random() < 0.1 else m, draw.random.choice((1, 0, draw.number()))], "f": [draw.number(), draw.number()]}
+
+
+def rational_pair(draw):
+    """Two homogeneous rows; often those of a developable surface."""
+    draw.usual, draw.highest = 3 if draw.huge else 5, 8
+    draw.degree()
+    n, u = draw.n, draw.knots()
+    lam, m = draw.starred()
+    c = draw.row(4)
+    d = [draw.point(4)]
+    if draw.random.random() < 0.7 and m not in u and n > 0 and len(c) == len(u) - n + 1 > 0:
+        sigma = draw.positive()
+        for i in range(len(c) - 1):
+            d.append([(((u[i + n] - lam) * a + (lam - u[i]) * b) / sigma - (u[i + n] - m) * e) / (m - u[i]) for a, b, e in zip(c[i], c[i + 1], d[i])])
+        if draw.random.random() < 0.3:
+            d[draw.random.randrange(len(d))][draw.random.randrange(4)] += 1
+    else:
+        d = draw.row(4)
+    return {"n": n, "u": u, "c": c, "d": d, "k": draw.piece(), "t": draw.number()}
 
 
 def rational_net(draw):
@@ -208,6 +250,17 @@ functions = {
     "unelevated": (of_numbers, at_parameter),
     "elevated_functions": (of_numbers, at_parameter),
     "rational_net": (of_nets, rational_net),
+    "from_dependence": (of_numbers, dependence),
+    "moebius_parameter": (of_numbers, moebius),
+    "moebius_rows": (of_rows, moebius),
+    "moebius_functions": (of_numbers, moebius),
+    "unshortened": (of_numbers, at_parameter),
+    "shortened_functions": (of_numbers, at_parameter),
+    "times_linear": (of_rows, patch),
+    "edge_curve": (of_rows, patch),
+    "edge_patch": (of_rows, directrix),
+    "determinant4": (general + ["L* at a knot", "L* = M*"], rational_pair),
+    "find_witness4": (general + ["L* at a knot", "L* = M*"], rational_pair),
     "restricted_points": (general, interval_of),
     "bezier_points": (general, lambda draw: spline(draw) | {"k": draw.piece()}),
     "insert_knot": (general, insertion),
@@ -220,7 +273,8 @@ functions = {
     "mean_chord_net": (of_rows, directrix),
     "affine_net": (of_rows, directrix),
 }
-total = {"restrict_rulings", "coefficients_from_steps", "elevated_points", "cone_net", "mean_tangent_net", "tangent_net", "mean_chord_net", "affine_net"}
+total = {"restrict_rulings", "coefficients_from_steps", "elevated_points", "cone_net", "mean_tangent_net", "tangent_net", "mean_chord_net", "affine_net",
+         "moebius_rows", "times_linear", "edge_patch"}
 # The classes and functions where every answer is an error, and where some are; in no class or function else are all.
 all_errors = {"missing points", "M* at a knot"}
 with_errors = {"bad knots"} | set(functions) - total

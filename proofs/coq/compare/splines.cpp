@@ -64,15 +64,17 @@ Answer cell_row(const Problem& p) {
   return Answer() << cell_net<Q, Point3>(c.knots, c.points(), {p.number("l"), p.number("m")}, p.point<3>("d"));
 }
 
-RuledSpline<Q, Point3> ruled(const Problem& p) {
-  const auto c = p.spline<3>();
-  const auto d = p.spline<3>("d");
+template <int D>
+RuledSpline<Q, Vec<Q, D>> ruled(const Problem& p) {
+  const auto c = p.spline<D>();
+  const auto d = p.spline<D>("d");
   return {c.knots, c.control, d.control};
 }
 
 /// The form of the determinant at (1-t, t). Throws DivisionByZero for an empty piece, which has no form.
+template <int D>
 Answer determinant(const Problem& p) {
-  const auto s = ruled(p);
+  const auto s = ruled<D>(p);
   const int k = p.integer("k");
   if (definitely(s.knots.piece_empty(k))) throw DivisionByZero();
   const Q t = p.number("t");
@@ -80,9 +82,10 @@ Answer determinant(const Problem& p) {
 }
 
 /// The piece that refutes, 0 where there is none.
+template <int D>
 Answer witness(const Problem& p) {
-  const auto s = ruled(p);
-  const auto found = find_witness<Q, 3>(s.knots, s.c_row(), s.d_row());
+  const auto s = ruled<D>(p);
+  const auto found = find_witness<Q, D>(s.knots, s.c_row(), s.d_row());
   return Answer() << Q(found ? found->piece : 0);
 }
 
@@ -140,8 +143,10 @@ const Table& over_knots() {
          return cell(next_cell<Q>(p.knots(), {p.number("l"), p.number("m")}, p.integer("i")));
        }},
       {"cell_net", cell_row},
-      {"determinant", determinant},
-      {"find_witness", witness},
+      {"determinant", determinant<3>},
+      {"find_witness", witness<3>},
+      {"determinant4", determinant<4>},
+      {"find_witness4", witness<4>},
       {"rational_net", rational_row},
       {"restricted_points", pieces},
       {"bezier_points", bezier},
