@@ -70,6 +70,29 @@ have nz : M - u (r + j)%N != 0 by apply: after; rewrite leq_addl.
 exact/esym/(e nz).
 Qed.
 
+(** FJ07.13.rulings vertex: the net of (13) computed from any of its vertices $d_j$, ruling by ruling: for $w_i=d_i-c_i$ a row obeys (13) iff
+    $w_{i+1}=\frac{(M^{*}-u_{i+n})w_i+(\Lambda^{*}-M^{*})(c_{i+1}-c_i)}{M^{*}-u_i}$ after the vertex and
+    $w_i=\frac{(M^{*}-u_i)w_{i+1}-(\Lambda^{*}-M^{*})(c_{i+1}-c_i)}{M^{*}-u_{i+n}}$ before it.
+    Hypotheses: $M^{*}$ is none of the knots $u_j,\dots,u_{L-1}$ after the vertex, nor of the $u_n,\dots,u_{j+n-1}$ before it. *)
+Theorem FJ07_13_rulings_vertex u n L M c d j K : (j <= K)%N -> (forall i, (j <= i < K)%N -> M - u i != 0) ->
+  (forall i, (i < j)%N -> M - u (i + n)%N != 0) ->
+  (forall i, (i < K)%N -> cell u n L M c d i) <->
+  (forall i, (j <= i < K)%N ->
+    d i.+1 - c i.+1 = (M - u i)^-1 *: ((M - u (i + n)%N) *: (d i - c i) + (L - M) *: (c i.+1 - c i))) /\
+  (forall i, (i < j)%N ->
+    d i - c i = (M - u (i + n)%N)^-1 *: ((M - u i) *: (d i.+1 - c i.+1) - (L - M) *: (c i.+1 - c i))).
+Proof.
+move=> le_j after before; have part (x : F) (a b : 'rV[F]_m) : x != 0 -> x *: a = b <-> a = x^-1 *: b.
+  by move=> nz; split=> [<-|->]; rewrite scalerA ?mulVf ?mulfV ?scale1r.
+have back i : cell u n L M c d i <-> (M - u (i + n)%N) *: (d i - c i) = (M - u i) *: (d i.+1 - c i.+1) - (L - M) *: (c i.+1 - c i).
+  by rewrite FJ07_13_rulings; split=> [->|->]; rewrite ?addrK ?subrK.
+split=> [cells|[forth down] i lt_i]; last first.
+  have [lt_ij|le_ji] := ltnP i j; first by apply/back/part; [exact: before | exact: down].
+  by apply/FJ07_13_rulings/part; [apply: after | apply: forth]; rewrite le_ji.
+split=> i; first by case/andP=> le_i lt_i; apply/part; [apply: after; rewrite le_i | apply/FJ07_13_rulings/cells].
+by move=> lt_i; apply/part; [exact: before | apply/back/cells; exact: leq_trans lt_i le_j].
+Qed.
+
 (** FJ07.13 two: the first two vertices determine $\Lambda^{*}$ and $M^{*}$: for $d_1=(1-l-\mu)c_0+lc_1+\mu d_0$ they are
     $M^{*}=\frac{u_n-\mu u_0}{1-\mu}$, $\Lambda^{*}=u_0+l(M^{*}-u_0)$.
     Hypotheses: $\mu\ne1$, $u_n\ne u_0$.

@@ -29,6 +29,11 @@ move=> fr e; have /fr[/eqP]: 1 *: p + (x - s) *: p' + (- (s * y)) *: p'' = 0; la
 by transitivity (p + x *: p' - s *: (p' + y *: p'')); [by_entries h; ring | rewrite e subrr].
 Qed.
 
+Lemma tangent_differences (K : fieldType) m (p p' p'' : 'rV[K]_m) (t L M s n : K) : n != 0 ->
+  p + ((1 - t) / n) *: p' - (p + ((0 - t) / n) *: p') = n^-1 *: p' /\
+  p + ((L - t) / n) *: p' - s *: (p' + ((M - t) / n) *: p'') = p + ((L - t) / n - s) *: p' - (s * ((M - t) / n)) *: p''.
+Proof. by move=> n0; split; apply/rowP=> k; rewrite !mxE; move: (p 0 k) (p' 0 k) (p'' 0 k) => a b c; field. Qed.
+
 (* The first, the second and the fourth coordinate, or the first three, show that rows are free. *)
 Lemma free_first (K : fieldType) (p p' v : 'rV[K]_4) : weight p != 0 -> weight p' = 0 -> weight v = 0 -> p' 0 1 != 0 -> v 0 1 = 0 ->
   p 0 3%:R = 0 -> p' 0 3%:R = 0 -> v 0 3%:R != 0 -> free p p' v.
@@ -50,6 +55,31 @@ Section Needs.
 Variable F : fieldType.
 Notation K := {fraction {poly F}}.
 Implicit Types (n : nat) (L M s : K).
+
+(** FJ21.T3.1.excluded difference: for $q=p'$: $p_1^{n-1}-p_0^{n-1}=\frac1nq(t)$ for $p_i^{n-1}=p[t^{\langle n-1\rangle},i]$, and
+    $p[t^{\langle n-1\rangle},\Lambda]-\sigma q[t^{\langle n-1\rangle},M]=p+\bigl(\frac{\Lambda-t}n-\sigma\bigr)p'-\sigma\frac{M-t}np''$.
+    Hypotheses: $n\ne0$ in the field. *)
+Theorem FJ21_T3_1_excluded_difference m n (p : 'rV[{poly F}]_m) L M s (T := FracField.tofrac 'X : K) : n%:R != 0 :> F ->
+  ftangent n p 1 - ftangent n p 0 = n%:R^-1 *: pfun (pderiv p) /\
+  ftangent n p L - s *: ftangent n (pderiv p) M
+    = pfun p + ((L - T) / n%:R - s) *: pfun (pderiv p) - (s * ((M - T) / n%:R)) *: pfun (pderiv (pderiv p)).
+Proof.
+move=> /natrF0 n0; rewrite /ftangent -/T; move: T (n%:R : K) n0 => x N n0.
+move: (pfun p) (pfun (pderiv p)) (pfun (pderiv (pderiv p))) => P P' P''.
+exact: tangent_differences.
+Qed.
+
+(** FJ21.T3.1.excluded relation: $p$ and $q=p'$ bound a developable surface, and no $\Lambda,M,\sigma$, in no degree, have
+    $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$.
+    Hypotheses: $p$, $p'$, $p''$ are independent over the rational functions; the weights $w$, $w'$ do not vanish identically. *)
+Theorem FJ21_T3_1_excluded_relation (p : 'rV[{poly F}]_4) : free (pfun p) (pfun (pderiv p)) (pfun (pderiv (pderiv p))) ->
+  weight p != 0 -> weight (pderiv p) != 0 -> rational_developable p (pderiv p) /\ forall n L M s, ~ frelated n p (pderiv p) L M s.
+Proof.
+move=> fr w0 om0; split=> [|n L M s]; last exact: no_relation_tangents.
+apply/FJ21_2_1_determinant => //; apply/det_dependent; exists 0, 1, (-1), 0; split.
+  by rewrite !xpair_eqE oner_eq0 andbF.
+by rewrite !scale0r add0r addr0 scale1r scaleN1r subrr.
+Qed.
 
 (** FJ21.T3.1 needs_generic: a cylinder over a parabola, $d=c+(0,0,1)$ with $c=(t,t^2,0)$ and weights 1: developable, and there are no
     $\Lambda,M,\sigma$, in no degree $n$. *)
@@ -79,11 +109,8 @@ Proof.
 move=> n2; have w0 : weight p != 0 by rewrite /weight mxE /= addrC -size_poly_eq0 -polyC1 size_XaddC.
 have w1 : weight (pderiv p) = 1 by rewrite /weight !mxE /= derivD derivC derivX add0r.
 have om0 : weight (pderiv p) != 0 by rewrite w1 oner_eq0.
-split=> // [|n L M s].
-  apply/FJ21_2_1_determinant => //; apply/det_dependent; exists 0, 1, (-1), 0; split.
-    by rewrite !xpair_eqE oner_eq0 andbF.
-  by rewrite !scale0r add0r addr0 scale1r scaleN1r subrr.
-apply: no_relation_tangents; apply: (free_bent (t := FracField.tofrac 'X)); rewrite /weight !mxE /= ?derivD ?derivC ?derivX ?add0r.
+suff fr : free (pfun p) (pfun (pderiv p)) (pfun (pderiv (pderiv p))) by have [] := FJ21_T3_1_excluded_relation fr w0 om0.
+apply: (free_bent (t := FracField.tofrac 'X)); rewrite /weight !mxE /= ?derivD ?derivC ?derivX ?add0r.
 - by rewrite tofracD tofrac1.
 - by [].
 - by rewrite tofrac1.

@@ -99,15 +99,15 @@ apply: (mulfI X0); move: e; rewrite eh derivM derivB derivX derivC subr0 mulr1 n
 by move: ('X - M%:P) (n%:R%:P) (h^`()) => X N h' e; apply: (by_multiple (z := 1) e); ring.
 Qed.
 
-(** FJ21.T6.1 cone: for $\Lambda=M$ and $\sigma=1$ the relation holds iff $q=p+(t-M)^nA$ for one $A$: all rulings pass through the point $A$, a cone, or a cylinder
-    where $A$ has weight 0.
-    Hypotheses: $p$ and $q$ have degree at most $n$; $n!\ne0$ in the field, as in characteristic 0.
+(** FJ21.T6.1.cone equivalence: for $\Lambda=M$ and $\sigma=1$ the relation holds iff $q=p+(t-M)^nA$ for one $A$: all rulings pass through the point $A$, a cone,
+    or a cylinder where $A$ has weight 0.
+    Hypotheses: $q-p$ has degree at most $n$; $n!\ne0$ in the field, as in characteristic 0.
     Paper: does not exclude $\Lambda=M$, where there is no edge. *)
-Theorem FJ21_T6_1_cone n p q M : n`!%:R != 0 :> F -> (0 < n)%N -> (forall k, (size (p 0%R k) <= n.+1)%N) -> (forall k, (size (q 0%R k) <= n.+1)%N) ->
+Theorem FJ21_T6_1_cone_equivalence n p q M : n`!%:R != 0 :> F -> (0 < n)%N -> (forall k, (size (q 0%R k - p 0%R k)%R <= n.+1)%N) ->
   related_rows n p q M M <-> exists A : 'rV[F]_m, q = p + ('X - M%:P) ^+ n *: map_mx polyC A.
 Proof.
-move=> nz n0 sp sq; have n1 : n%:R != 0 :> F.
-  by apply: contraNneq nz => e; case: n n0 e {sp sq} => // n _ e; rewrite factS natrM e mul0r.
+move=> nz n0 sz; have n1 : n%:R != 0 :> F.
+  by apply: contraNneq nz => e; case: n n0 e {sz} => // n _ e; rewrite factS natrM e mul0r.
 have co k : (p 0 k + (n%:R^-1 *: (M%:P - 'X)) * (p 0 k)^`() = q 0 k + (n%:R^-1 *: (M%:P - 'X)) * (q 0 k)^`()) <->
     n%:R%:P * (q 0 k - p 0 k) = ('X - M%:P) * (q 0 k - p 0 k)^`().
   have eN : n%:R%:P * (n%:R^-1)%:P = 1 :> {poly F} by rewrite -polyCM mulfV.
@@ -117,7 +117,6 @@ have co k : (p 0 k + (n%:R^-1 *: (M%:P - 'X)) * (p 0 k)^`() = q 0 k + (n%:R^-1 *
     by rewrite aN; ring.
   apply: (by_multiple (z := - a) e); rewrite (_ : - a * _ = N * a * (P - Q) + a * (X - u) * (Q' - P')); last by ring.
   by rewrite aN; ring.
-have sz k : (size (q 0%R k - p 0%R k)%R <= n.+1)%N by rewrite (leq_trans (size_add _ _)) // geq_max size_opp sq sp.
 split=> [/rowP e|[A eq]]; last first.
   apply/rowP=> k; rewrite !mxE; apply/(co k)/(euler _ nz (sz k)); exists (A 0 k).
   by rewrite eq !mxE addrAC subrr add0r mulrC.
@@ -125,6 +124,11 @@ exists (\row_k ((q 0 k - p 0 k) %/ ('X - M%:P) ^+ n)`_0); apply/rowP=> k; rewrit
 have := e k; rewrite !mxE => /co /(euler _ nz (sz k)) [a ea].
 by rewrite ea mulpK ?expf_neq0 ?polyXsubC_eq0 // coefC eqxx mulrC -ea addrC subrK.
 Qed.
+
+(** FJ21.T6.1.cone vertex: then $(\Lambda-t)p+(t-M)q=(t-M)^{n+1}A$: the edge would be the point $A$. *)
+Theorem FJ21_T6_1_cone_vertex n p M (A : 'rV[F]_m) (q := p + ('X - M%:P) ^+ n *: map_mx polyC A) :
+  (M%:P - 'X) *: p + ('X - M%:P) *: q = ('X - M%:P) ^+ n.+1 *: map_mx polyC A.
+Proof. by rewrite /q exprS; move: (_ ^+ n) (map_mx polyC A) => y B; by_entries k; ring. Qed.
 
 (** FJ21.T6.1 needs_distinct: for $\Lambda=M$ there are related rows that no $r$ gives, whatever $p$ is: $q=p+(t-M)^nA$ with $A\ne0$.
     Hypotheses: $n\ne0$ in the field. *)

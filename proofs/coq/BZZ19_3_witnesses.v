@@ -1,0 +1,66 @@
+(* BZZ19, section 3.1: an increasing mapping gives neither a simple nor a regular patch. Both examples have sigma(t) = t.
+   Definitions:
+     crossing_x, crossing_y   the plane cubic (tau^2 - 1, tau^3 - tau), tau = 3 t - 3/2, which passes through 0 at t = 1/6 and t = 5/6
+     crossing h               the curve (crossing_x, crossing_y, (tau + 1)/4 + h) of space
+     cubic                    the curve (tau, tau^2, tau^3), tau = 2 + t *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Points BZZ19_3 BZZ19_4_pieces FJ21_4 Needs_FJ07_curves.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory Num.Theory.
+Local Open Scope ring_scope.
+
+Section Witnesses.
+Variable F : numFieldType.
+
+Definition crossing_tau : {poly F} := 3%:R%:P * 'X - (3%:R / 2%:R)%:P.
+Definition crossing_x : {poly F} := crossing_tau ^+ 2 - 1.
+Definition crossing_y : {poly F} := crossing_tau * crossing_x.
+Definition crossing h : 'rV[{poly F}]_3 := space crossing_x crossing_y ((4%:R^-1)%:P * (crossing_tau + 1) + h%:P).
+Definition cubic : 'rV[{poly F}]_3 := space ('X + 2%:R%:P) (('X + 2%:R%:P) ^+ 2) (('X + 2%:R%:P) ^+ 3).
+
+Let after_X (c : 'rV[{poly F}]_3) : after c 'X = c.
+Proof. by apply/rowP=> k; rewrite mxE comp_polyXr. Qed.
+
+Let tau_at t : crossing_tau.[t] = 3%:R * t - 3%:R / 2%:R.
+Proof. by rewrite /crossing_tau !hornerE. Qed.
+
+Let slope_tau : crossing_tau^`() = 3%:R%:P.
+Proof. by rewrite /crossing_tau derivB derivM derivX !derivC mul0r add0r mulr1 subr0. Qed.
+
+(** BZZ19.5.witnesses crossing: (a) $C_1=(\tau^2-1,\tau^3-\tau,\frac{\tau+1}4)$ with $\tau=3t-\frac32$, $C_2=C_1+(0,0,1)$ and $\sigma(t)=t$: a cylinder over a
+    rail with $z'=\frac34$, exactly developable, and $S(\frac12,\frac16)=S(0,\frac56)$.
+    Paper: guarantees that there are no self-intersections. *)
+Theorem BZZ19_5_witnesses_crossing (C1 := crossing 0) (C2 := crossing 1) :
+  [/\ developable C1 (after C2 'X), (forall t, z_ (ev (pderiv C1) t) = 3%:R / 4%:R)
+    & ruled_surface C1 C2 'X (1 / 2%:R) (1 / 6%:R) = ruled_surface C1 C2 'X 0 (5%:R / 6%:R)].
+Proof.
+rewrite /C1 /C2 after_X; split.
+- rewrite /developable (_ : crossing 1 - crossing 0 = space 0 0 1); last first.
+    apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= ?subrr //.
+    by rewrite polyC0 polyC1 addr0 addrC addKr.
+  by rewrite /crossing !pderiv_space tripleE !spaceE !derivD !derivC; ring.
+- by move=> t; rewrite /crossing pderiv_space ev_space spaceE polyC0 addr0 derivM [(crossing_tau + 1)^`()]derivD slope_tau !derivC mul0r add0r addr0 !hornerE mulrC.
+rewrite /ruled_surface !after_X /crossing !ev_space /crossing_y /crossing_x; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE ?tau_at /=; field; rewrite ?pnatr_eq0 //.
+Qed.
+
+(** BZZ19.5.witnesses regression: (b) $C_1=r+r'$, $C_2=r-r'$ for $r=(\tau,\tau^2,\tau^3)$, $\tau=2+t$, and $\sigma(t)=t$: exactly developable, and
+    $S_s\times S_t=0$ on the curve $s=\frac12$, which is $r$. *)
+Theorem BZZ19_5_witnesses_regression (C1 := cubic + pderiv cubic) (C2 := cubic - pderiv cubic) :
+  developable C1 (after C2 'X) /\
+  forall t, cross (ev C2 t - ev C1 t) ((1 - 2%:R^-1) *: ev (pderiv C1) t + 2%:R^-1 *: ev (pderiv C2) t) = 0.
+Proof.
+rewrite after_X; have [dp dm] : pderiv C1 = pderiv cubic + pderiv (pderiv cubic) /\ pderiv C2 = pderiv cubic - pderiv (pderiv cubic).
+  by split; apply/rowP=> k; rewrite !mxE ?derivD ?derivN.
+have n2 : 2%:R != 0 :> F by rewrite pnatr_eq0.
+split=> [|t].
+  rewrite /developable dp dm /C1 /C2; move: (pderiv (pderiv cubic)) (pderiv cubic) cubic => a b c.
+  by coordinates; ring.
+rewrite dp dm /C1 /C2; move: (pderiv (pderiv cubic)) (pderiv cubic) cubic => a b c.
+have evD p q : ev (p + q) t = ev p t + ev q t :> 'rV[F]_3 by apply/rowP=> k; rewrite !mxE hornerD.
+have evN p : ev (- p) t = - ev p t :> 'rV[F]_3 by apply/rowP=> k; rewrite !mxE hornerN.
+rewrite !evD !evN; move: (ev a t) (ev b t) (ev c t) => A B C.
+by apply: row3P; coordinates; hide_entries; field.
+Qed.
+End Witnesses.
