@@ -29,7 +29,7 @@ let dimension problem = match points problem "c" with p :: _ -> List.length p | 
 let reason = function
   | Division -> "division" | Degree -> "degree" | Knots -> "knots" | Knot i -> Printf.sprintf "knots[%d]" i | Vertices -> "points"
   | At_knot -> "M" | Vertex -> "k" | Cell i -> Printf.sprintf "cell[%d]" i | Sigma -> "sigma" | Outside -> "t" | Lambda -> "Lambda"
-  | Weight i -> Printf.sprintf "weights[%d]" i | Rho -> "rho" | Factor -> "s" | Alpha -> "alpha"
+  | Weight i -> Printf.sprintf "weights[%d]" i | Rho -> "rho" | Factor -> "s" | Alpha -> "alpha" | Parallel -> "v"
 
 let answer numbers = function
   | Value a -> String.concat " " (List.map Q.to_string (numbers a))
@@ -52,11 +52,14 @@ let with_factors program p = match numbers p "x", numbers p "f", numbers p "g" w
   | [a; b; c], [f0; f1], [g0; g1] -> of_point (program field (integer p "n") (number p "t") a b c f0 f1 g0 g1)
   | _ -> failwith "x"
 
-(* A Bezier curve c, whose row is always there. *)
-let of_directrix program p = of_points (Value (program field (space 3) (points p "c")))
-
 (* Coordinates of points and of homogeneous rows. *)
 let x p = List.nth p 0 and y p = List.nth p 1 and z p = List.nth p 2 and t p = List.nth p 3
+
+(* End rulings v, w, and a branch. *)
+let with_rulings program p = spline (fun k s -> program k s x y z) p (point p "v") (point p "w") (number p "M") (number p "L")
+
+(* A Bezier curve c, whose row is always there. *)
+let of_directrix program p = of_points (Value (program field (space 3) (points p "c")))
 
 let programs = [
   "knots", (fun p -> answer (fun () -> []) (knot_list field (integer p "n") (numbers p "u") (Value ())));
@@ -112,6 +115,12 @@ let programs = [
   "edge_patch", (fun p -> of_points (Value (patch_program field (space 3) (points p "c") (number p "x"))));
   "determinant4", (fun p -> of_point (spline (fun k v -> determinant4_program k v x y z t) p (points p "d") (integer p "k") (number p "t")));
   "find_witness4", (fun p -> answer (fun k -> [Q.of_int k]) (spline (fun k v -> check4_program k v x y z t) p (points p "d")));
+  "eq20", (fun p -> of_point (spline aim_program p (number p "M") (integer p "i")));
+  "branch_polynomial", (fun p -> of_point (spline (fun k s -> branch_program k s x y z) p (point p "v") (point p "w")));
+  "chord_coordinates", (fun p -> of_point (coordinates_program field x y z (point p "d") (point p "v") (point p "w")));
+  "end_rulings", (fun p -> of_point (with_rulings ends_program p));
+  "interpolating_net", (fun p -> of_points (with_rulings interpolation_program p));
+  "piecewise_net", (fun p -> answer (fun rows -> List.concat (List.concat rows)) (row rows_program p (point p "d")));
   "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
 ]
 

@@ -112,6 +112,31 @@ def pair(draw):
     return {"n": n, "u": u, "c": c, "d": rows, "k": draw.piece(), "t": draw.number()}
 
 
+def end_rulings(draw):
+    """A curve, mostly clamped, and its end rulings, sometimes parallel, and a point; M* is a knot where the class says so."""
+    members = net(draw)
+    n, u = draw.n, members["u"]
+    if n > 0 and draw.kind != "bad knots" and draw.random.random() < 0.8:
+        u[:n], u[-n:] = [u[n - 1]] * n, [u[-n]] * n
+        members["M"] = draw.random.choice(u) if draw.kind == "M* at a knot" else members["M"]
+    v, factor = draw.point(), draw.number()
+    w = [factor * a for a in v] if draw.random.random() < 0.15 else draw.point()
+    return members | {"v": v, "w": w, "i": draw.random.randint(1, max(1, draw.last))}
+
+
+def chord(draw):
+    members = end_rulings(draw)
+    return {key: members[key] for key in "dvw"}
+
+
+def rows(draw):
+    """A net; M* is sometimes a knot, where a piece may begin."""
+    members = net(draw)
+    if draw.random.random() < 0.15:
+        members["M"] = draw.random.choice(draw.u)
+    return members
+
+
 def restriction(draw):
     members = bezier(draw)
     c = members["c"]
@@ -261,6 +286,12 @@ functions = {
     "edge_patch": (of_rows, directrix),
     "determinant4": (general + ["L* at a knot", "L* = M*"], rational_pair),
     "find_witness4": (general + ["L* at a knot", "L* = M*"], rational_pair),
+    "eq20": (of_nets, end_rulings),
+    "branch_polynomial": (general, end_rulings),
+    "chord_coordinates": (of_numbers, chord),
+    "end_rulings": (of_nets, end_rulings),
+    "interpolating_net": (of_nets, end_rulings),
+    "piecewise_net": (general + ["L* at a knot", "L* = M*"], rows),
     "restricted_points": (general, interval_of),
     "bezier_points": (general, lambda draw: spline(draw) | {"k": draw.piece()}),
     "insert_knot": (general, insertion),

@@ -1,6 +1,6 @@
 // The functions of the comparison by name.
 //   Function, Table           from a problem to the answer of the library, by name
-//   over_knots, of_one_piece, of_changes  all of them
+//   over_knots, of_rulings, of_one_piece, of_changes  all of them
 #pragma once
 
 #include <map>
@@ -15,6 +15,8 @@ using Table = std::map<std::string, Function>;
 
 /// The functions of splines, of their pieces and cells.
 const Table& over_knots();
+/// Interpolation between rulings, and the rows of all pieces.
+const Table& of_rulings();
 /// The functions of Bezier polygons, and those at one parameter.
 const Table& of_one_piece();
 /// Those of FJ21 that change the functions Lam, M, sigma, and the edge of regression.
