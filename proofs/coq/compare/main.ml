@@ -121,6 +121,10 @@ let programs = [
   "end_rulings", (fun p -> of_point (with_rulings ends_program p));
   "interpolating_net", (fun p -> of_points (with_rulings interpolation_program p));
   "piecewise_net", (fun p -> answer (fun rows -> List.concat (List.concat rows)) (row rows_program p (point p "d")));
+  "mapping_value", (fun p -> of_point (spline mapping_value_program p (number p "t")));
+  "mapping_slope", (fun p -> of_point (spline mapping_slope_program p (number p "t")));
+  "identity_mapping", (fun p -> of_point (over_knots greville_program p));
+  "pointwise_sine_squared", (fun p -> of_point (spline (fun k v -> warp_program k v x y z) p (points p "d") (integer p "k") (number p "t")));
   "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
 ]
 

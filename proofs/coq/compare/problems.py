@@ -227,6 +227,12 @@ def insertion(draw):
     return members | {"t": draw.parameter() if draw.random.random() < 0.4 else inside}
 
 
+def mapping(draw):
+    """A function in the place of a curve."""
+    members = insertion(draw)
+    return members | {"c": draw.row(1)}
+
+
 def products(draw):
     members = first_cell(draw)
     a = draw.random.randint(0, max(0, draw.last))
@@ -295,6 +301,10 @@ functions = {
     "restricted_points": (general, interval_of),
     "bezier_points": (general, lambda draw: spline(draw) | {"k": draw.piece()}),
     "insert_knot": (general, insertion),
+    "mapping_value": (general, mapping),
+    "mapping_slope": (general, mapping),
+    "identity_mapping": (of_knots, spline),
+    "pointwise_sine_squared": (general, pair),
     "coefficients_from_steps": (of_numbers, steps),
     "elevated_points": (of_rows, elevation),
     "cone_net": (of_rows, directrix),

@@ -1,6 +1,6 @@
 // The functions of the comparison by name.
 //   Function, Table           from a problem to the answer of the library, by name
-//   over_knots, of_rulings, of_one_piece, of_changes  all of them
+//   over_knots, of_rulings, of_mappings, of_one_piece, of_changes  all of them
 #pragma once
 
 #include <map>
@@ -17,6 +17,8 @@ using Table = std::map<std::string, Function>;
 const Table& over_knots();
 /// Interpolation between rulings, and the rows of all pieces.
 const Table& of_rulings();
+/// Mappings, and the warp of a ruling.
+const Table& of_mappings();
 /// The functions of Bezier polygons, and those at one parameter.
 const Table& of_one_piece();
 /// Those of FJ21 that change the functions Lam, M, sigma, and the edge of regression.
