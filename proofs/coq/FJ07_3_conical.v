@@ -49,8 +49,8 @@ elim=> [//|i ih] lt_i; rewrite -(ih (ltnW lt_i)); have := h i lt_i => e.
 by rewrite -[d i.+1](subrK (d i)) e; by_entries j; ring.
 Qed.
 
-(** FJ07.19 cone: a piece of the spline has proportional sides, $d_{i+1}-d_i=\alpha(c_{i+1}-c_i)$, iff its Bezier net has, with the same $\alpha$: equation (12) with $\lambda=\alpha$ and
-    $\mu=1$, where there are no $\Lambda_k$ and $M_k$.
+(** FJ07.19 cone: a piece of the spline has proportional sides, $d_{i+1}-d_i=\alpha(c_{i+1}-c_i)$, iff its Bezier net has, with the same $\alpha$:
+    equation (12) with $\lambda=\alpha$ and $\mu=1$, where there are no $\Lambda_k$ and $M_k$.
     Hypotheses: the knots carry the piece.
     Paper: says that (18) holds for cones too, and gives the Bezier nets by $\Lambda_k$, $M_k$ only. *)
 Theorem FJ07_19_cone u n k al c d (C := bezier_net u n k c) (D := bezier_net u n k d) : span n.+1 (drop_ k u) ->
