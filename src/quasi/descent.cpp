@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "torse/quasi/loss.hpp"
+
 namespace torse::quasi {
 namespace {
 
@@ -24,39 +26,12 @@ constexpr double tightening = 16;
 constexpr double least_damping = 1e-12;
 constexpr int most_trials = 12;
 
-/// The last power of the losses of the maximum.
-constexpr double most_power = 64;
-
 /// Angles below this are rounding errors.
 constexpr double least_angle = 1e-15;
 
 /// Lower measures may be nothing but rounding errors, which no descent leaves for good: an angle takes some 500
 /// operations, and rulings and tangents are an eighth of the rails' size or so.
 constexpr double rounding_angle = 0x1p-53 * 500 * 8;
-
-/// A smooth loss of an angle: its value, slope and curvature.
-struct Loss {
-  Measure measure;
-  double scale;  ///< delta of the mean, the largest angle of the maximum
-  double power;  ///< of the maximum
-  double cap;    ///< of the mean, infinite for none
-
-  Taylor<double> operator()(double angle) const {
-    if (measure == Measure::mean) {
-      const double value = std::sqrt(angle * angle + scale * scale);
-      const double share = std::abs(angle) / cap;
-      const double low = share > 0 ? std::pow(share, most_power - 2) : 0;
-      return {value + (low > 0 ? low * share * share * cap : 0),
-              angle / value + most_power * low * share * (angle < 0 ? -1 : 1),
-              scale / value * (scale / value) / value + most_power * (most_power - 1) * low / cap};
-    }
-    if (measure == Measure::rms) return {angle * angle, 2 * angle, 2};
-    const double share = std::abs(angle) / scale;
-    const double low = std::pow(share, power - 2);
-    return {low * share * share, power * low * share / scale * (angle < 0 ? -1 : 1),
-            power * (power - 1) * low / (scale * scale)};
-  }
-};
 
 /// The measure of angles.
 double measure_of(const std::vector<Taylor<double>>& angles, Measure measure) {

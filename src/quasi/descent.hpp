@@ -1,5 +1,4 @@
 // The descent: Newton's method on the sampled warp over ordered coefficients.
-//   Measure              what is made small: the mean, the root mean square or the maximum of the angles
 //   DescentStep          one step, for the convergence curve
 //   Descent, descend     down to a local minimum
 #pragma once
@@ -7,13 +6,11 @@
 #include <limits>
 #include <vector>
 
+#include "torse/quasi/loss.hpp"
 #include "torse/quasi/monotone_step.hpp"
 #include "torse/quasi/sampling.hpp"
 
 namespace torse::quasi {
-
-/// Of the angles at the samples.
-enum class Measure { mean, rms, max };
 
 /// The value of the measure, in radians, after a step.
 struct DescentStep {

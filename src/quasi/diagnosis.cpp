@@ -32,7 +32,7 @@ class TargetRow {
     }
   }
 
-  /// Zeros are changes of sign that are no jumps between +90 and -90 degrees, and samples below `small` degrees.
+  /// Zeros are changes of sign that are no jumps between +90 and -90 degrees, and samples of at most `small` degrees.
   Targets from(const RailJet& c, double small) const {
     Targets targets;
     double before = 0;
@@ -44,7 +44,7 @@ class TargetRow {
       if (crosses) {
         targets.zeros.push_back(parameters_[i - 1] + (t - parameters_[i - 1]) * before / (before - warp));
         if (targets.zeros.back() >= 0 && targets.zeros.back() <= 1) targets.best = 0;
-      } else if (std::abs(warp) < small) {
+      } else if (std::abs(warp) <= small) {
         targets.zeros.push_back(t);
       }
       before = warp;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "torse/quasi/breaks.hpp"
+
 namespace torse::quasi {
 namespace {
 
@@ -36,47 +38,12 @@ constexpr double as_good = 1.0001;
 /// As much as equal coefficients are moved apart, together.
 constexpr double least_rise = 1e-6;
 
-/// Knots are multiples of its inverse: short numbers, so that the exact surface has short ones too.
-constexpr double knot_grid = 0x1p24;
-
 /// A place is steep where a coefficient exceeds the one before by so many times the mean difference.
 constexpr double steep = 4;
 
 /// As many of the steepest places as are tried elsewhere, and what a trial has to gain.
 constexpr std::size_t most_shifts = 4;
 constexpr double worth_while = 0.999;
-
-std::vector<double> even_breaks(int pieces) {
-  std::vector<double> breaks;
-  for (int i = 0; i <= pieces; ++i) breaks.push_back(std::round(knot_grid * i / pieces) / knot_grid);
-  return breaks;
-}
-
-/// The mapping's knots with as many pieces, such that each has the same part of the warp: with e the mean warp of a
-/// piece the pieces are spread with density e^(1/(d+1)), the rule for approximation of degree d, blended with the even
-/// one.
-std::vector<double> moved_breaks(const std::vector<double>& breaks, const std::vector<double>& warp, int degree) {
-  const std::size_t pieces = breaks.size() - 1;
-  std::vector<double> mass(pieces + 1, 0);
-  double largest = 0;
-  for (const double w : warp) largest = std::max(largest, w);
-  for (std::size_t i = 0; i < pieces; ++i) {
-    const double density = std::pow(largest > 0 ? warp[i] / largest : 0, 1.0 / (degree + 1)) + 0.1;
-    mass[i + 1] = mass[i] + density * (breaks[i + 1] - breaks[i]);
-  }
-  std::vector<double> moved{0};
-  std::size_t at = 0;
-  for (std::size_t i = 1; i < pieces; ++i) {
-    const double wanted = mass.back() * static_cast<double>(i) / static_cast<double>(pieces);
-    while (mass[at + 1] < wanted) ++at;
-    const double share = (wanted - mass[at]) / (mass[at + 1] - mass[at]);
-    const double place = std::round((breaks[at] + share * (breaks[at + 1] - breaks[at])) * knot_grid) / knot_grid;
-    if (place > moved.back() && place < 1) moved.push_back(place);
-  }
-  if (moved.size() < pieces) return breaks;
-  moved.push_back(1);
-  return moved;
-}
 
 /// So many equal coefficients in a row are too many.
 struct Runs {
@@ -221,19 +188,13 @@ class Fitter {
   }
 
   void move_knots() {
-    const std::size_t pieces = breaks_.size() - 1;
-    std::vector<double> warp(pieces, 0);
-    std::vector<double> count(pieces, 0);
+    std::vector<double> warp;
     for (std::size_t r = 0; r < samples_.size(); ++r) {
-      const double t = samples_.parameter(r);
-      const auto above = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t);
-      const std::size_t piece = static_cast<std::size_t>(above - breaks_.begin()) - 1;
       const RulingAngle ruling = ruling_angle(samples_.jet(r), rails_.d(samples_.value(beta_, r)), options_.kind);
-      warp[piece] += std::abs(ruling.angle.value);
-      count[piece] += 1;
+      warp.push_back(std::abs(ruling.angle.value));
     }
-    for (std::size_t i = 0; i < pieces; ++i) warp[i] /= std::max(count[i], 1.0);
-    const std::vector<double> breaks = moved_breaks(breaks_, warp, options_.degree);
+    const std::vector<double> breaks =
+        moved_breaks(breaks_, means_by_piece(breaks_, sample_parameters(), warp), options_.degree);
     const KnotList<double> knots = mapping_knots(options_.degree, breaks);
     const Mapping<double> now = mapping_of(knots_, beta_);
     std::vector<double> beta;

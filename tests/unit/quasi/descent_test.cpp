@@ -199,6 +199,27 @@ TEST(Descent, DevelopableRailsOfEverySizeComeOutExactly) {
   }
 }
 
+/// A cylinder over the middle half of d, T = (1 + 2 t) / 4, from where all coefficients but one are right already.
+TEST(Descent, EachCoefficientMovesAlone) {
+  const Polynomials d{hundredths({0, 100}), hundredths({0, 20, 70}), hundredths({10, 0, 10, 50})};
+  const Polynomials direction{hundredths({30}), hundredths({10}), hundredths({-50})};
+  const Rails rails{test::rail_of(test::plus(test::compose(d, hundredths({25, 50})), direction)), test::rail_of(d)};
+  const KnotList<double> knots = mapping_knots(1, {0, 0.5, 1});
+  const Sampling samples(rails.c, knots, midpoints(40));
+  const std::vector<double> exact{0.25, 0.5, 0.75};
+  for (const Measure measure : {Measure::mean, Measure::rms, Measure::max}) {
+    DescentOptions options;
+    options.measure = measure;
+    options.ends = Ends::free;
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::vector<double> start = exact;
+      start[i] -= 0.125;
+      const Descent descent = descend(rails.d, samples, start, options);
+      for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(descent.beta[j], exact[j], 1e-9) << i << " " << j;
+    }
+  }
+}
+
 TEST(Descent, AwkwardRails) {
   const Polynomials line{hundredths({0, 100}), hundredths({0}), hundredths({0})};
   const Polynomials cross{hundredths({0, 40}), hundredths({-50, 100}), hundredths({100})};
