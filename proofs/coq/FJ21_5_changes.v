@@ -133,12 +133,12 @@ Qed.
     $p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]$ on the piece of the old knots that holds it: $\Lambda,M,\sigma$ do not change.
     Hypotheses: both pieces carry their knots; $x$ is inserted neither before the first piece nor in its first knots: $n\le p$. *)
 Theorem FJ21_K_relation n p x u c d j v L M s (u' := insert_knot p x u) (k := if (j + n <= p)%N then j else j.-1) :
-  (0 < n <= p)%N -> span n (drop_ k u) -> span n (drop_ j u') -> (size v).+1 = n ->
+  (n <= p)%N -> span n (drop_ k u) -> span n (drop_ j u') -> (size v).+1 = n ->
   pblossom (drop_ j u') (drop_ j (insert_points n p x u c)) (at_ L :: v)
     = s *: pblossom (drop_ j u') (drop_ j (insert_points n p x u d)) (at_ M :: v) <->
   pblossom (drop_ k u) (drop_ k c) (at_ L :: v) = s *: pblossom (drop_ k u) (drop_ k d) (at_ M :: v).
 Proof.
-move=> le_n spk spj sz.
+move=> le_n spk spj sz; have lt_n : (0 < n <= p)%N by rewrite -{1}sz.
 have e y (b : nat -> 'rV[F]_m) : pblossom (drop_ j u') (drop_ j (insert_points n p x u b)) (at_ y :: v) = pblossom (drop_ k u) (drop_ k b) (at_ y :: v).
   exact: pblossom_insertion.
 by rewrite !e.

@@ -32,14 +32,21 @@ Qed.
 
 (** FJ21.6 unique: $v$, $\alpha$, $\beta$ of the singular point are determined: $(1-v)p'+vq'=\alpha(q-p)+\beta((1-v)p+vq)$ only for those of the
     paper.
-    Hypotheses: $E\ne0$; $n\ne0$ in the field; $p$, $W$, $W'$ are independent at $t$.
+    Hypotheses: $n\ne0$ in the field; $p$, $W$, $W'$ are independent at $t$, so that $E\ne0$.
     Paper: states none of them. *)
-Theorem FJ21_6_unique n p q t L M s v al be (E := L - t + s * (t - M)) : n%:R != 0 :> F -> E != 0 -> free_at p q t ->
+Theorem FJ21_6_unique n p q t L M s v al be (E := L - t + s * (t - M)) : n%:R != 0 :> F -> free_at p q t ->
   related_at n p q t L M s ->
   (1 - v) *: ev (pderiv p) t + v *: ev (pderiv q) t = al *: ev (q - p) t + be *: ((1 - v) *: ev p t + v *: ev q t) ->
   [/\ v = s * (t - M) / E, al = n%:R * s * (L - M) / E ^+ 2 & be = n%:R * (s - 1) / E].
 Proof.
-move=> n0 e0 fr rel eq_v; have eE : L - s * M + t * (s - 1) = E by rewrite /E; ring.
+move=> n0 fr rel eq_v; have e0 : E != 0.
+  apply/eqP=> e0; have eL : L = t + s * (M - t) by apply: (by_multiple (z := 1) e0); rewrite /E; ring.
+  have [|/eqP s1 /eqP s0 _] := fr (1 - s) (- s) (- (s * ((M - t) / n%:R))).
+    apply/rowP=> k; have /rowP/(_ k) := rel; rewrite !mxE !derivB !hornerD !hornerN eL.
+    move: (p 0 k).[t] (q 0 k).[t] (p 0 k)^`().[t] (q 0 k)^`().[t] n%:R n0 => P Q P' Q' N n0 e.
+    by apply: (by_multiple (z := 1) e); field.
+  by move: s1; rewrite oppr_eq0 in s0; rewrite (eqP s0) subr0 oner_eq0.
+have eE : L - s * M + t * (s - 1) = E by rewrite /E; ring.
 have fr1 : frame p q t (al + be * v) (- v) be.
   apply/rowP=> k; have /rowP/(_ k) := eq_v; rewrite !mxE !derivB !hornerD !hornerN.
   move: (p 0 k).[t] (q 0 k).[t] (p 0 k)^`().[t] (q 0 k)^`().[t] => P Q P' Q' e.

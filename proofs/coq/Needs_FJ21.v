@@ -1,0 +1,302 @@
+(* FJ21, sections 4 to 6: what happens without the hypotheses of the theorems on the values at one parameter, here t = 0 unless it is said.
+   Where n = 0 in the field, as for n = p in characteristic p, p + (x-t)/n p' has no meaning, and such an example takes x / 0 = 0.
+   Definitions:
+     jet A B          the row A + B X of polynomials: its value at 0 is A, its derivative B
+     e1, e2, e3       the points (1,0,0), (0,1,0), (0,0,1) *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points FJ21_4 FJ21_5 FJ21_6 FJ21_6_theorem.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Jets.
+Variable F : fieldType.
+Implicit Types (A B C D : 'rV[F]_3) (f g : {poly F}) (p q : 'rV[{poly F}]_3) (L M s lam mu nu a b x y : F) (n : nat).
+
+Definition jet A B : 'rV[{poly F}]_3 := map_mx polyC A + 'X *: map_mx polyC B.
+Definition e1 : 'rV[F]_3 := vec 1 0 0.
+Definition e2 : 'rV[F]_3 := vec 0 1 0.
+Definition e3 : 'rV[F]_3 := vec 0 0 1.
+
+Lemma ev_jet A B t : ev (jet A B) t = A + t *: B.
+Proof. by apply/rowP=> k; rewrite !mxE !hornerE. Qed.
+
+Lemma ev_pderiv_jet A B t : ev (pderiv (jet A B)) t = B.
+Proof. by apply/rowP=> k; rewrite !mxE derivD derivM derivX !derivC mulr0 addr0 mul1r add0r hornerC. Qed.
+
+Lemma evD p q t : ev (p + q) t = ev p t + ev q t.
+Proof. by apply/rowP=> k; rewrite !mxE hornerD. Qed.
+
+Lemma evN p t : ev (- p) t = - ev p t.
+Proof. by apply/rowP=> k; rewrite !mxE hornerN. Qed.
+
+Lemma ev_scale f p t : ev (f *: p) t = f.[t] *: ev p t.
+Proof. by apply/rowP=> k; rewrite !mxE hornerM. Qed.
+
+Lemma ev_pderivD p q t : ev (pderiv (p + q)) t = ev (pderiv p) t + ev (pderiv q) t.
+Proof. by apply/rowP=> k; rewrite !mxE derivD hornerD. Qed.
+
+Lemma ev_pderivN p t : ev (pderiv (- p)) t = - ev (pderiv p) t.
+Proof. by apply/rowP=> k; rewrite !mxE derivN hornerN. Qed.
+
+Lemma ev_pderiv_scale f p t : ev (pderiv (f *: p)) t = f^`().[t] *: ev p t + f.[t] *: ev (pderiv p) t.
+Proof. by apply/rowP=> k; rewrite !mxE derivM hornerD !hornerM. Qed.
+
+Definition jetE := (evD, evN, ev_pderivD, ev_pderivN, ev_scale, ev_pderiv_scale, ev_jet, ev_pderiv_jet, FJ21_5.linearE, deriv_linear).
+
+Lemma coords A B : A = B -> [/\ x_ A = x_ B, y_ A = y_ B & z_ A = z_ B].
+Proof. by move->. Qed.
+
+End Jets.
+
+Lemma one_is_not_zero (F : fieldType) : (1 = 0 :> F) -> False.
+Proof. by move/eqP; rewrite oner_eq0. Qed.
+
+(* The equation at hand, simplified, and coordinate by coordinate. *)
+Ltac at_jets := rewrite /related_at /tangent /frame ?jetE /e1 /e2 /e3 ?hornerX ?hornerC ?derivX ?derivC ?horner0 ?hornerC.
+Ltac by_coords := apply: row3P; rewrite /x_ /y_ /z_ !mxE /=.
+Ltac split_coords := move=> /coords; rewrite /x_ /y_ /z_ !mxE /=; case.
+(* h: l = r cannot be, as z (l - r) is 1. *)
+Ltac refute z h := apply: one_is_not_zero; apply: (by_multiple (z := z) h); ring.
+
+Section Needs.
+Variable F : fieldType.
+Notation e1 := (e1 F).
+Notation e2 := (e2 F).
+Notation e3 := (e3 F).
+Implicit Types (L M s lam mu nu a b x y v w omega : F) (n : nat).
+Let one_is_not_zero := @one_is_not_zero F.
+
+(** FJ21.4.1 needs_denominator: where $(1-\tilde v)w+\tilde v\omega=0$ the row $(1-\tilde v)wc+\tilde v\omega d$ is a multiple of no point $(1-v)c+vd$ of the
+    ruling: $c=(1,0,0)$, $d=(0,1,0)$. *)
+Theorem FJ21_4_1_needs_denominator w omega v x y : (1 - v) * w + v * omega = 0 ->
+  x *: ((1 - v) *: (w *: e1) + v *: (omega *: e2)) <> (1 - y) *: e1 + y *: e2.
+Proof.
+move=> d0; rewrite /e1 /e2; split_coords => h1 h2 _; apply: one_is_not_zero.
+transitivity ((1 - y) * 1 + y * 0 + ((1 - y) * 0 + y * 1)); first by ring.
+by rewrite -h1 -h2; transitivity (x * ((1 - v) * w + v * omega)); [ring | rewrite d0 mulr0].
+Qed.
+
+(** FJ21.4.3 gauge_needs_factor: $p=(1,0,0)$, $q=(1,1,0)$ constant and $f=t$: where $f(t)=0$ there are no $\tilde\lambda,\tilde\mu,\tilde\nu$ at all. *)
+Theorem FJ21_4_3_gauge_needs_factor mu (p := jet e1 0) (q := jet (e1 + e2) 0) :
+  frame p q 0 0 mu 0 /\ forall lam' mu' nu', ~ frame ('X *: p) ('X *: q) 0 lam' mu' nu'.
+Proof.
+rewrite /p /q; split=> [|lam' mu' nu']; at_jets; first by by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.4.3 unique_needs_free: a cylinder, $p=(1,0,0)$, $q=(1,1,0)$ constant: $W'=0$ and every $\mu$ serves. *)
+Theorem FJ21_4_3_unique_needs_free mu (p := jet e1 0) (q := jet (e1 + e2) 0) : frame p q 0 0 mu 0.
+Proof. by rewrite /p /q; at_jets; by_coords; ring. Qed.
+
+(** FJ21.C4.1 needs_lambda: for $\lambda=0$, $\mu=\nu=1$ the frame may hold and there be no $\Lambda,M,\sigma$ at all: $p=W'=(0,0,1)$ added to $p$ itself: $p'=W'+p$. *)
+Theorem FJ21_C4_1_needs_lambda n (p := jet e1 (e1 + e3)) (q := jet (e1 + e2) (e1 + e3 + e3)) :
+  frame p q 0 0 1 1 /\ forall L M s, ~ related_at n p q 0 L M s.
+Proof.
+rewrite /p /q; split=> [|L M s]; at_jets; first by by_coords; ring.
+split_coords => h1 h2 h3; have s0 : s = 0 by apply: (by_multiple (z := -1) h2); ring.
+rewrite s0 in h1 h3; have x0 : (L - 0) / n%:R = 0 by apply: (by_multiple (z := 1) h3); ring.
+by rewrite x0 in h1; refute (1 : F) h1.
+Qed.
+
+(** FJ21.C4.1 needs_difference: for $\lambda=\nu=1$, $\mu=0$ the frame may hold and there be no $\Lambda,M,\sigma$ at all: $\Lambda$ is infinite. *)
+Theorem FJ21_C4_1_needs_difference n (p := jet e1 (e1 + e2)) (q := jet (e1 + e2) (e1 + e2 + e3)) :
+  frame p q 0 1 0 1 /\ forall L M s, ~ related_at n p q 0 L M s.
+Proof.
+rewrite /p /q; split=> [|L M s]; at_jets; first by by_coords; ring.
+split_coords => h1 h2 h3; have e : 1 = s - s :> F; last by refute (1 : F) e.
+by apply: (by_multiple (z := 1) (congr2 (fun a b => a - b) h1 h2)); ring.
+Qed.
+
+(** FJ21.C4.1 needs_E: for $\Lambda=M=t$, $\sigma=1$, so that $E=0$, the relation may hold and there be no $\lambda,\mu,\nu$: $p=q=0$, $p'=(1,0,0)$, $W'=(0,1,0)$. *)
+Theorem FJ21_C4_1_needs_E n (p := jet 0 e1) (q := jet 0 (e1 + e2)) :
+  related_at n p q 0 0 0 1 /\ forall lam mu nu, ~ frame p q 0 lam mu nu.
+Proof.
+rewrite /p /q; split=> [|lam mu nu]; at_jets; first by by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.C4.1 relation_needs_degree: where $n=0$ in the field, $p=0$, $q=p'=q'=(1,0,0)$: $\lambda=1$, $\mu=\nu=0$ and $p\ne\sigma q$, $\sigma=1$. *)
+Theorem FJ21_C4_1_relation_needs_degree n (p := jet 0 e1) (q := jet e1 e1) : n%:R = 0 :> F ->
+  frame p q 0 1 0 0 /\ forall L M, ~ related_at n p q 0 L M 1.
+Proof.
+rewrite /p /q => n0; split=> [|L M]; at_jets; rewrite ?n0 ?invr0; first by by_coords; ring.
+by split_coords => h1 _ _; refute (-1 : F) h1.
+Qed.
+
+(** FJ21.C4.1 frame_needs_degree: where $n=0$ in the field, $p=q=0$ are related for $\Lambda=1$, $M=0$, $\sigma=1$, so that $E=1$, but $p'=q'\ne0$ and
+    $\lambda=\mu=\nu=0$. *)
+Theorem FJ21_C4_1_frame_needs_degree n (p := jet 0 e1) (q := jet 0 e1) : n%:R = 0 :> F ->
+  related_at n p q 0 1 0 1 /\ ~ frame p q 0 (n%:R * 1 / 1) (1 * (0 - 0) / 1) (n%:R * (1 - 1) / 1).
+Proof.
+rewrite /p /q => n0; split; at_jets; rewrite ?n0 ?invr0; first by by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.4.4 needs_degree: where $n=0$ in the field and $p'\ne0$ no rows $p_0,p_1$ have $p'=n(p_1-p_0)$, and for $\lambda=\mu=\nu=0$ the right side of (4.4) is
+    0 for all rows $p_i$, $q_i$, the left side $p'$. *)
+Theorem FJ21_4_4_needs_degree n (p := jet 0 e1) (p0 p1 q0 q1 : 'rV[F]_3) : n%:R = 0 :> F ->
+  ev (pderiv p) 0 <> n%:R *: (p1 - p0) /\
+  ev (pderiv p) 0 <> (n%:R * (1 + 0) + 0 * (0 - 0)) *: p1 + ((1 - 0) * (0 - 0) - n%:R * (1 + 0)) *: p0
+    - (0 * 0 + n%:R * 0) *: q1 - (0 * (1 - 0) - n%:R * 0) *: q0.
+Proof. by rewrite /p => n0; rewrite n0; split; at_jets; split_coords => h1 _ _; refute (1 : F) h1. Qed.
+
+(** FJ21.W needs_weight: with the weights of $q$ times $\beta=0$ there are no $\Lambda,M,\sigma$: $p=q=(1,0,0)$, constant. *)
+Theorem FJ21_W_needs_weight n L M (p := jet e1 0) :
+  related_at n p p 0 L M 1 /\ forall L' M' s', ~ related_at n (1%:P *: p) (0%:P *: p) 0 L' M' s'.
+Proof.
+rewrite /p; split=> [|L' M' s']; at_jets; first by by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.5.3 needs_degree: where $n=0$ in the field, $f=g=1$: $\tilde\Lambda=1$, $\tilde M=0$, $\tilde\sigma=1$ relate $fp$, $gq$ in degree $n+1$ for $p=0$, $p'=q=(1,0,0)$,
+    $q'=0$, and $p\ne\sigma q$, $\sigma=1$. *)
+Theorem FJ21_5_3_needs_degree n (p := jet 0 e1) (q := jet e1 0) : n%:R = 0 :> F ->
+  related_at n.+1 (linear 1 0 *: p) (linear 1 0 *: q) 0 1 0 1 /\ forall L M, ~ related_at n p q 0 L M 1.
+Proof.
+rewrite /p /q => n0; split=> [|L M]; at_jets; rewrite ?natrS n0 ?add0r ?invr1 ?invr0; first by by_coords; ring.
+by split_coords => h1 _ _; refute (-1 : F) h1.
+Qed.
+
+(** FJ21.5.3 needs_next: where $n+1=0$ in the field, $f=g=1+t$: $\tilde\Lambda=\tilde M=\tilde\sigma=1$ relate $fp$, $gq$ in degree $n+1$ for $p=q=0$, but for $p'\ne q'$ not
+    $\Lambda=M=-1$, $\sigma=1$ in degree $n$, where $nf(t)+f(\tilde\Lambda)=ng(t)+g(\tilde M)=1$. *)
+Theorem FJ21_5_3_needs_next n (f := linear 1 1) (p := jet 0 e1) (q := jet 0 0) : n.+1%:R = 0 :> F ->
+  [/\ n%:R * f.[0] + f.[1] = 1, related_at n.+1 (f *: p) (f *: q) 0 1 1 1
+    & ~ related_at n p q 0 ((n%:R * f.[0] * 1 + f.[1] * 0) / 1) ((n%:R * f.[0] * 1 + f.[1] * 0) / 1) (1 / 1 * 1)].
+Proof.
+rewrite /f /p /q => n1; have nN : n%:R = -1 :> F by apply/eqP; rewrite -addr_eq0 -natrS n1.
+split; at_jets; rewrite ?n1 ?nN ?invr0 ?invrN ?invr1; [by ring | by by_coords; ring |].
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.5.3 needs_H: for $f=1+t$, $g=1$ and $\tilde\Lambda=-(n+1)$, $nf(t)+f(\tilde\Lambda)=0$: $fp$ and $gq$ are related in degree $n+1$ with $\tilde M=0$, $\tilde\sigma=1$,
+    and there are no $\Lambda,M,\sigma$ in degree $n$.
+    Hypotheses: $n+1\ne0$ in the field. *)
+Theorem FJ21_5_3_needs_H n (p := jet e1 (- e2)) (q := jet e2 0) : n.+1%:R != 0 :> F ->
+  related_at n.+1 (linear 1 1 *: p) (linear 1 0 *: q) 0 (- n.+1%:R) 0 1 /\ forall L M s, ~ related_at n p q 0 L M s.
+Proof.
+rewrite /p /q => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.5.3 needs_G: likewise for $f=1$, $g=1+t$ and $\tilde M=-(n+1)$, $\tilde\Lambda=0$, $\tilde\sigma=1$: $ng(t)+g(\tilde M)=0$.
+    Hypotheses: $n+1\ne0$ in the field. *)
+Theorem FJ21_5_3_needs_G n (p := jet e2 0) (q := jet e1 (- e2)) : n.+1%:R != 0 :> F ->
+  related_at n.+1 (linear 1 0 *: p) (linear 1 1 *: q) 0 0 (- n.+1%:R) 1 /\ forall L M s, ~ related_at n p q 0 L M s.
+Proof.
+rewrite /p /q => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
+split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h1); ring.
+by rewrite s0 in h2; refute (1 : F) h2.
+Qed.
+
+(** FJ21.5.3 usual_needs_degree: where $n=0$ in the field, at $t=1$, $p=t(1,0,0)$, $q=0$: $p(t)+(\tilde\Lambda-t)p'(t)=0$ for $\tilde\Lambda=0$, but $p(t)\ne0$. *)
+Theorem FJ21_5_3_usual_needs_degree n L M (p := jet 0 e1) (q := jet 0 0) : n%:R = 0 :> F ->
+  related_at n.+1 p q 1 ((n.+1%:R * L - 1) / n%:R) ((n.+1%:R * M - 1) / n%:R) 1 /\ ~ related_at n p q 1 L M 1.
+Proof.
+rewrite /p /q => n0; split; at_jets; rewrite ?natrS n0 ?add0r ?invr0 ?invr1; first by by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.5.3 usual_needs_next: where $n+1=0$ in the field, $p=q=0$, $p'=(1,0,0)$, $q'=0$: related in degree $n+1$, but not in degree $n$ for $\Lambda=1$, $M=0$. *)
+Theorem FJ21_5_3_usual_needs_next n (p := jet 0 e1) (q := jet 0 0) : n.+1%:R = 0 :> F ->
+  related_at n.+1 p q 0 ((n.+1%:R * 1 - 0) / n%:R) ((n.+1%:R * 0 - 0) / n%:R) 1 /\ ~ related_at n p q 0 1 0 1.
+Proof.
+rewrite /p /q => n1; have nN : n%:R = -1 :> F by apply/eqP; rewrite -addr_eq0 -natrS n1.
+split; at_jets; rewrite ?n1 ?nN ?invr0 ?invrN ?invr1; first by by_coords; ring.
+by split_coords => h1 _ _; refute (-1 : F) h1.
+Qed.
+
+(** FJ21.5.4 needs_degree: where $n=0$ in the field, $f=g=1$, the example of (5.3): $\tilde\Lambda=1$, $\tilde M=0$, $\tilde\sigma=1$, and $p\ne\sigma q$, $\sigma=1$. *)
+Theorem FJ21_5_4_needs_degree n (p := jet 0 e1) (q := jet e1 0) (f := linear 1 0) : n%:R = 0 :> F ->
+  related_at n.+1 (f *: p) (f *: p + f *: (q - p)) 0 1 0 1 /\ forall L M, ~ related_at n p q 0 L M 1.
+Proof.
+rewrite /p /q /f => n0; split=> [|L M]; at_jets; rewrite ?natrS n0 ?add0r ?invr1 ?invr0; first by by_coords; ring.
+by split_coords => h1 _ _; refute (-1 : F) h1.
+Qed.
+
+(** FJ21.5.4 needs_next: where $n+1=0$ in the field, $f=g=1+t$: $\tilde\Lambda=\tilde M=\tilde\sigma=1$ relate the rows for $p=q=0$, $p'=(1,0,0)$, $q'=0$, but $\Lambda=M=-1$,
+    $\sigma=1$, those of the formula, for which $G=H=1$, do not relate $p$ and $q$. *)
+Theorem FJ21_5_4_needs_next n (f := linear 1 1) (p := jet 0 e1) (q := jet 0 0) : n.+1%:R = 0 :> F ->
+  [/\ n%:R * f.[0] + f.[1] = 1, related_at n.+1 (f *: p) (f *: p + f *: (q - p)) 0 1 1 1 & ~ related_at n p q 0 (-1) (-1) 1].
+Proof.
+rewrite /f /p /q => n1; have nN : n%:R = -1 :> F by apply/eqP; rewrite -addr_eq0 -natrS n1.
+split; at_jets; rewrite ?n1 ?nN ?invr0 ?invrN ?invr1; [by ring | by by_coords; ring |].
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.5.4 needs_H: for $f=1+t$, $g=1$, $\tilde\Lambda=-(n+1)$, $\tilde M=0$, $\tilde\sigma=1$, so that $H=0$, the rows $fp$ and $fp+g(q-p)$ are related in degree
+    $n+1$ and there are no $\Lambda,M,\sigma$ in degree $n$.
+    Hypotheses: $n+1\ne0$ in the field. *)
+Theorem FJ21_5_4_needs_H n (p := jet e1 (- e2)) (q := jet e2 0) (f := linear 1 1) (g := linear 1 0) : n.+1%:R != 0 :> F ->
+  related_at n.+1 (f *: p) (f *: p + g *: (q - p)) 0 (- n.+1%:R) 0 1 /\ forall L M s, ~ related_at n p q 0 L M s.
+Proof.
+rewrite /p /q /f /g => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.5.4 needs_G: for $f=t$, $g=1+t$, $\tilde M=-(n+1)$, $\tilde\Lambda=0$, $\tilde\sigma=1$, so that $G=0$ and $H=n+1$: likewise.
+    Hypotheses: $n+1\ne0$ in the field. *)
+Theorem FJ21_5_4_needs_G n (p := jet e1 0) (q := jet (e1 + e2) (- e1)) (f := linear 0 1) (g := linear 1 1) : n.+1%:R != 0 :> F ->
+  related_at n.+1 (f *: p) (f *: p + g *: (q - p)) 0 0 (- n.+1%:R) 1 /\ forall L M s, ~ related_at n p q 0 L M s.
+Proof.
+rewrite /p /q /f /g => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
+split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h2); ring.
+by rewrite s0 in h1; refute (1 : F) h1.
+Qed.
+
+(** FJ21.6 edge_needs_degree: where $n=0$ in the field, $p=q=0$ are related for $\Lambda=1$, $M=0$, $\sigma=1$, so that $E=1$, $v=0$, $\alpha=\beta=0$, but $p'\ne0$. *)
+Theorem FJ21_6_edge_needs_degree n (p := jet 0 e1) (q := jet 0 0) : n%:R = 0 :> F ->
+  related_at n p q 0 1 0 1 /\ (1 - 0) *: ev (pderiv p) 0 + 0 *: ev (pderiv q) 0
+    <> (n%:R * 1 * (1 - 0) / 1 ^+ 2) *: ev (q - p) 0 + (n%:R * (1 - 1) / 1) *: ((1 - 0) *: ev p 0 + 0 *: ev q 0).
+Proof.
+rewrite /p /q => n0; split; at_jets; rewrite n0 ?invr0; first by by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.6 edge_needs_E: for $\Lambda=M=t$, $\sigma=1$, so that $E=0$, there may be no singular point: $p=q=0$, $p'=(1,0,0)$, $q'=(0,1,0)$. *)
+Theorem FJ21_6_edge_needs_E n (p := jet 0 e1) (q := jet 0 e2) : related_at n p q 0 0 0 1 /\
+  forall v al be, (1 - v) *: ev (pderiv p) 0 + v *: ev (pderiv q) 0 <> al *: ev (q - p) 0 + be *: ((1 - v) *: ev p 0 + v *: ev q 0).
+Proof.
+rewrite /p /q; split=> [|v al be]; at_jets; first by by_coords; ring.
+split_coords => h1 h2 _; have v0 : v = 0 by apply: (by_multiple (z := 1) h2); ring.
+by rewrite v0 in h1; refute (1 : F) h1.
+Qed.
+
+(** FJ21.6 unique_needs_free: where $p=q=p'=q'=0$ every $v$, $\alpha$, $\beta$ serves. *)
+Theorem FJ21_6_unique_needs_free n v al be (p := jet 0 0) : related_at n p p 0 1 0 1 /\
+  (1 - v) *: ev (pderiv p) 0 + v *: ev (pderiv p) 0 = al *: ev (p - p) 0 + be *: ((1 - v) *: ev p 0 + v *: ev p 0).
+Proof. by rewrite /p; split; at_jets; by_coords; ring. Qed.
+
+(** FJ21.6 functions_needs_degree: where $n=0$ in the field, $v=0$, $\alpha=1$, $\beta=0$: $p'=q-p$ for $p=0$, $q=(1,0,0)$, and $p\ne\sigma q$, $\sigma=1$. *)
+Theorem FJ21_6_functions_needs_degree n (p := jet 0 e1) (q := jet e1 0) : n%:R = 0 :> F ->
+  (1 - 0) *: ev (pderiv p) 0 + 0 *: ev (pderiv q) 0 = 1 *: ev (q - p) 0 + 0 *: ((1 - 0) *: ev p 0 + 0 *: ev q 0) /\
+  forall L M, ~ related_at n p q 0 L M ((1 + 0 * 0) / (1 + (0 - 1) * 0)).
+Proof.
+rewrite /p /q => n0; split=> [|L M]; at_jets; first by by_coords; ring.
+rewrite n0 invr0 (_ : (1 + 0 * 0) / (1 + (0 - 1) * 0) = 1); last by rewrite !mulr0 addr0 divr1.
+by split_coords => h1 _ _; refute (-1 : F) h1.
+Qed.
+
+(** FJ21.6 functions_needs_Lambda: for $v=0$, $\alpha=\beta=1$, where $\alpha+(v-1)\beta=0$, $p'=q$ is the condition, and there are no $\Lambda,M,\sigma$ for
+    $p=(1,0,0)$, $q=p'=(0,1,0)$, $q'=0$. *)
+Theorem FJ21_6_functions_needs_Lambda n (p := jet e1 e2) (q := jet e2 0) :
+  (1 - 0) *: ev (pderiv p) 0 + 0 *: ev (pderiv q) 0 = 1 *: ev (q - p) 0 + 1 *: ((1 - 0) *: ev p 0 + 0 *: ev q 0) /\
+  forall L M s, ~ related_at n p q 0 L M s.
+Proof.
+rewrite /p /q; split=> [|L M s]; at_jets; first by by_coords; ring.
+by split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
+
+(** FJ21.6 functions_needs_M: for $v=1$, $\alpha=-1$, $\beta=1$, where $\alpha+v\beta=0$, $q'=p$ is the condition, and there are no $\Lambda,M,\sigma$ for $q=(0,1,0)$,
+    $p=q'=(1,0,0)$, $p'=0$. *)
+Theorem FJ21_6_functions_needs_M n (p := jet e1 0) (q := jet e2 e1) :
+  (1 - 1) *: ev (pderiv p) 0 + 1 *: ev (pderiv q) 0 = (-1) *: ev (q - p) 0 + 1 *: ((1 - 1) *: ev p 0 + 1 *: ev q 0) /\
+  forall L M s, ~ related_at n p q 0 L M s.
+Proof.
+rewrite /p /q; split=> [|L M s]; at_jets; first by by_coords; ring.
+split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h2); ring.
+by rewrite s0 in h1; refute (1 : F) h1.
+Qed.
+End Needs.
