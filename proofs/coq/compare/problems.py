@@ -228,8 +228,10 @@ def insertion(draw):
 
 
 def mapping(draw):
-    """A function in the place of a curve."""
+    """A function in the place of a curve, often at the end of its domain, where the last pieces may be empty."""
     members = insertion(draw)
+    if draw.random.random() < 0.3:
+        members["t"] = draw.u[max(0, min(draw.last, len(draw.u) - 1))]
     return members | {"c": draw.row(1)}
 
 
