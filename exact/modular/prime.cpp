@@ -73,9 +73,8 @@ std::uint64_t Modulus::inverse(std::uint64_t a) const {
 }
 
 std::uint64_t Modulus::encode(Constant c) const {
-  const auto magnitude =
-      c.num < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(c.num) : static_cast<std::uint64_t>(c.num);
-  const std::uint64_t num = c.num < 0 ? negate(encode(magnitude)) : encode(magnitude);
+  const auto word = static_cast<std::uint64_t>(c.num);  // modulo 2^64
+  const std::uint64_t num = c.num < 0 ? negate(encode(0 - word)) : encode(word);
   return c.den == 1 ? num : multiply(num, inverse(encode(static_cast<std::uint64_t>(c.den))));
 }
 

@@ -74,12 +74,11 @@ Rational Rational::from_text(std::string_view text) {
   if (!all_digits(unsigned_text.substr(0, slash)) || (fraction && !all_digits(unsigned_text.substr(slash + 1)))) {
     throw InvalidInput("number", "expected p or p/q with decimal digits, got \"" + std::string(text) + '"');
   }
-  Rational r;
-  mpq_set_str(r.q_, std::string(unsigned_text).c_str(), 10);
-  if (mpz_sgn(mpq_denref(r.q_)) == 0) {
-    mpq_set_ui(r.q_, 0, 1);
+  if (fraction && unsigned_text.find_first_not_of('0', slash + 1) == std::string_view::npos) {
     throw InvalidInput("number", "zero denominator in \"" + std::string(text) + '"');
   }
+  Rational r;
+  mpq_set_str(r.q_, std::string(unsigned_text).c_str(), 10);
   mpq_canonicalize(r.q_);
   if (text.front() == '-') mpq_neg(r.q_, r.q_);
   return r;

@@ -48,11 +48,10 @@ bool divides(Polynomial* quotient, const Polynomial* p, const Polynomial* linear
 
 bool is_simple(const Polynomial* p, const Ring* ring) {
   constexpr slong most_terms = 4;
-  if (is_unit(p, ring)) return true;
   if (p->length == 0 || p->length > most_terms || p->bits > FLINT_BITS) return false;
   bool is_primitive = false;
   for (slong i = 0; i < p->length; ++i) is_primitive = is_primitive || fmpz_is_pm1(p->coeffs + i) != 0;
-  return is_primitive && fmpz_mpoly_total_degree_si(p, ring) == 1;
+  return is_primitive && fmpz_mpoly_total_degree_si(p, ring) <= 1;
 }
 
 void multiply_by_simple(fmpz_mpoly_q_struct* z, const fmpz_mpoly_q_struct* x, const Polynomial* c, const Polynomial* d,

@@ -11,12 +11,6 @@
 namespace torse {
 namespace {
 
-/// sine_forms have this degree at most.
-template <int D>
-int quotient_degree(int degree) {
-  return D == 3 ? 8 * degree - 4 : 16 * degree - 8;
-}
-
 /// Coordinates outside are left to other arithmetics: products of eight of them stay far from overflow and underflow.
 constexpr double largest = 0x1p120;
 constexpr double smallest = 0x1p-120;
@@ -28,6 +22,13 @@ struct LocalRow {
   int degree;
   std::array<std::array<double, static_cast<std::size_t>(K)>, most> p;
 };
+
+/// Whether sine_forms, of degree 8n - 4 for points and 16n - 8 for homogeneous rows, have no room.
+template <int D>
+constexpr bool too_high(int degree) {
+  return (D == 3 ? 8 * degree - 4 : 16 * degree - 8) > rounding::most_degree;
+}
+static_assert(too_high<3>(LocalRow<3>::most) && too_high<4>(LocalRow<4>::most), "rows have room for all other degrees");
 
 /// p_j = before p_i + after p_j.
 template <std::size_t K>
@@ -220,8 +221,6 @@ std::optional<double> relative_knot_error(const std::vector<double>& knots, doub
   return 3 * error / least;
 }
 
-bool too_high(int degree, int most) { return degree > LocalRow<3>::most - 1 || most > rounding::most_degree; }
-
 /// Scales the coordinates of homogeneous rows by a power of two to the size of the weights, so that one bound of the
 /// errors suits both.
 void balance(RoundedNet<4>& net, double weight_error) {
@@ -249,7 +248,7 @@ void balance(RoundedNet<4>& net, double weight_error) {
 template <int D>
 std::optional<RoundedNet<D>> rounded_net(const KnotList<Rational>& u, std::span<const Vec<Rational, D>> c,
                                          std::span<const Vec<Rational, D>> d) {
-  if (too_high(u.degree(), quotient_degree<D>(u.degree()))) return std::nullopt;
+  if (too_high<D>(u.degree())) return std::nullopt;
   RoundedNet<D> net{u.degree(), {}, {}, {}, 0, 0};
   double knot_error = 0;
   for (int i = 0; i < u.size(); ++i) {
@@ -284,7 +283,7 @@ std::optional<RoundedNet<D>> rounded_net(const KnotList<Rational>& u, std::span<
 template <int D>
 std::optional<RoundedNet<D>> rounded_net(const KnotList<double>& u, std::span<const Vec<double, D>> c,
                                          std::span<const Vec<double, D>> d) {
-  if (too_high(u.degree(), quotient_degree<D>(u.degree()))) return std::nullopt;
+  if (too_high<D>(u.degree())) return std::nullopt;
   const std::optional<double> relative = relative_knot_error(u.list(), 0);
   if (!relative) return std::nullopt;
   RoundedNet<D> net{u.degree(), u.list(), {c.begin(), c.end()}, {d.begin(), d.end()}, *relative, 0};

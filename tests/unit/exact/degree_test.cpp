@@ -95,6 +95,33 @@ TEST(Degree, RecursionsByFractionsGrowLinearly) {
   }
 }
 
+/// log2() of a number that is held exactly is that of the number, and one that is not exact counts as more: 2^53 + 1,
+/// and 2^58 + 1 = (2^29 - 2^15 + 1) (2^29 + 2^15 + 1), have 54 and 59.
+TEST(UpperBound, IsRoundedUpOnlyWhereItIsNotExact) {
+  const auto bound = [](std::uint64_t i) { return UpperBound(i); };
+  const auto two_to = [](int k) { return std::uint64_t{1} << k; };
+  EXPECT_EQ((bound(1) + bound(1)).log2(), 1);
+  EXPECT_EQ((bound(5) + bound(3)).log2(), 3);
+  EXPECT_EQ((bound(3) + bound(5)).log2(), 3);
+  EXPECT_EQ((bound(5) + bound(4)).log2(), 4);
+  EXPECT_EQ((bound(8) * bound(4)).log2(), 5);
+  EXPECT_EQ((bound(3) * bound(5)).log2(), 4);
+  EXPECT_EQ(bound(two_to(53)).log2(), 53);
+  EXPECT_EQ(bound(two_to(53) + 1).log2(), 54);
+  EXPECT_EQ((bound(two_to(53)) + bound(1)).log2(), 54);
+  EXPECT_EQ((bound(1) + bound(two_to(53))).log2(), 54);
+  EXPECT_EQ((bound(two_to(29) - two_to(15) + 1) * bound(two_to(29) + two_to(15) + 1)).log2(), 59);
+}
+
+/// Operands whose exponents are 2048 apart, where the smaller one underflows.
+TEST(UpperBound, TellsASumFromItsLargerPart) {
+  UpperBound power(2);
+  for (int i = 0; i < 11; ++i) power = power * power;
+  EXPECT_EQ(power.log2(), 2048);
+  EXPECT_EQ((power + UpperBound(1)).log2(), 2049);
+  EXPECT_EQ((UpperBound(1) + power).log2(), 2049);
+}
+
 TEST(Degree, BoundsOfAnySizeStayFinite) {
   Degree power = Degree::input() + Degree(1);
   for (int i = 0; i < 40; ++i) power *= power;

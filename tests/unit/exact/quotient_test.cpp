@@ -72,6 +72,21 @@ TEST(QuotientEnclosure, HoldsTheWholeBall) {
   EXPECT_LE(quotient_enclosure(B::interval(1, 2), B::interval(4, 5)).lower(), 0.2);
 }
 
+/// N = 1 over D = 1 but for one coefficient in the middle: without the radius that is positive or not, with it never.
+TEST(BernsteinQuotient, HopesWhereTheMiddleOfADenominatorIsPositive) {
+  using B = Ball<64>;
+  const auto bound = [](double low, double high) {
+    const Bernstein<B> denominator(std::vector<B>{B(1), B::interval(low, high), B(1)});
+    return BernsteinQuotient<B>(Bernstein<B>(std::vector<B>{B(1), B(1), B(1)}), denominator).upper();
+  };
+  for (const double low : {-1.0, 0.0, -1.5}) EXPECT_EQ(bound(low, 1).value, detail::infinity);
+  EXPECT_EQ(bound(0, 1).nominal, 1);
+  EXPECT_EQ(bound(-0.5, 1).nominal, 1);
+  EXPECT_EQ(bound(-1, 1).nominal, detail::infinity);
+  EXPECT_EQ(bound(-1.5, 1).nominal, detail::infinity);
+  EXPECT_GE(bound(0.5, 1).value, 2);
+}
+
 /// The constant `value`, known up to `radius`, as a form.
 RoundedForms<1> constant(int degree, double value, double radius) {
   RoundedForms<1> x(degree);

@@ -54,5 +54,25 @@ TEST(RelationProver, ProvesLinearNetsOfHomogeneousRows) {
   }
 }
 
+/// Points moved by the prime keep the relation modulo it, which fails in the cells on either side. Pieces are asked for
+/// out of order: what is known of cells 6 and later says nothing of the cells 3, 4, 5 before them.
+TEST(RelationProver, ChecksTheCellsOfEveryPiece) {
+  std::vector<Q> list;
+  for (int i = 0; i < 14; ++i) list.emplace_back(i);
+  const KnotList<Q> u(3, list);
+  const std::vector<Point3> c = points(u.last() + 1);
+  const std::vector<Point3> exact = linear_net<Q, Point3>(u, c, Q(-7) / Q(3), Q(-1), point(3, 5, -7));
+  std::vector<Point3> d = exact;
+  for (Point3* moved : {&d[4], &d[7]}) (*moved)[1] += Q(RelationProver<3>::prime);
+  const std::vector<Integer> knots = integer_knots(u.list());
+  RelationProver<3> prover(3, knots, c, d);
+  for (const int k : {7, 4, 5, 3, 6, 2, 8}) EXPECT_FALSE(prover.prove(k)) << k;
+  EXPECT_TRUE(prover.prove(1));  // cells 0, 1, 2
+  EXPECT_TRUE(prover.prove(9));  // cells 8, 9, 10
+  EXPECT_FALSE(prover.prove(8));
+  RelationProver<3> backwards(3, knots, c, exact);
+  for (int k = 9; k > 0; --k) EXPECT_TRUE(backwards.prove(k)) << k;
+}
+
 }  // namespace
 }  // namespace torse::test

@@ -93,6 +93,40 @@ TEST(RoundedNet, WeightsAndCoordinatesAreWithinTheirErrors) {
   }
 }
 
+/// A net of one piece over these knots, of which there are six.
+bool has_net(std::vector<Q> knots) {
+  Row3 c, d;
+  for (int i = 0; i < 4; ++i) {
+    c.emplace_back(Q(i), Q(0), Q(0));
+    d.emplace_back(Q(i), Q(1), Q(0));
+  }
+  return rounded_net<3>(KnotList<Q>(3, std::move(knots)), std::span<const Vec<Q, 3>>(c), d).has_value();
+}
+
+/// At either end of the list two knots that differ by 2^-60 round to one double; equal ones are one, and those that
+/// differ by 2^-40 are two.
+TEST(RoundedNet, KnotsThatCoincideWhenRoundedHaveNone) {
+  for (const auto& [gap, told_apart] : {std::pair{0x1p-60, false}, {0x1p-40, true}, {0.0, true}}) {
+    EXPECT_EQ(has_net({Q(-1) - exact(gap), Q(-1), Q(0), Q(1), Q(2), Q(3)}), told_apart) << gap;
+    EXPECT_EQ(has_net({Q(-2), Q(-1), Q(0), Q(1), Q(2), Q(2) + exact(gap)}), told_apart) << gap;
+  }
+}
+
+/// 4/3 is no double: an error of 2^-53 is more than a 2^-31st of the gap to the next knot, or less.
+TEST(RoundedNet, KnotsNearerThanTheirErrorsHaveNone) {
+  const Q knot = Q(4) / Q(3);
+  EXPECT_FALSE(has_net({Q(-2), Q(-1), Q(0), Q(1), knot, knot + exact(0x1p-24)}));
+  EXPECT_TRUE(has_net({Q(-2), Q(-1), Q(0), Q(1), knot, knot + exact(0x1p-20)}));
+}
+
+TEST(RoundedNet, RangesBeyondThatOfProductsHaveNone) {
+  for (const auto& [size, held] : {std::pair{0x1p119, true}, {0x1p121, false}, {0x1p-119, true}, {0x1p-121, false}}) {
+    std::vector<Q> knots;
+    for (int i = 0; i < 6; ++i) knots.push_back(Q(i / 3) * exact(size));
+    EXPECT_EQ(has_net(knots), held) << size;
+  }
+}
+
 /// sin^2 at the ends of the only piece, enclosed, and a bound over all of it.
 struct Enclosure {
   double at_begin;
@@ -104,6 +138,45 @@ template <int D>
 Enclosure enclosure_of(const RoundedNet<D>& net) {
   const auto quotient = rounded_quotient(net, 1);
   return {quotient->lower_at_begin(), quotient->lower_at_end(), quotient->upper().value};
+}
+
+/// (t, 0, 0) and (t, 1, t) as nets of degree n, with equal weights for D = 4: sin^2 = 1 / (2 + t^2). The degree of the
+/// quotient is 8n - 4 or 16n - 8, of which there may be 130.
+template <int D>
+std::optional<RoundedNet<D>> raised_paraboloid(int n) {
+  std::vector<Vec<Q, D>> c, d;
+  for (int i = 0; i <= n; ++i) {
+    const Q t = Q(i) / Q(n);
+    if constexpr (D == 3) {
+      c.emplace_back(t, Q(0), Q(0));
+      d.emplace_back(t, Q(1), t);
+    } else {
+      c.emplace_back(Q(1), t, Q(0), Q(0));
+      d.emplace_back(Q(1), t, Q(1), t);
+    }
+  }
+  return rounded_net<D>(bezier_knots<Q>(n), std::span<const Vec<Q, D>>(c), d);
+}
+
+template <int D>
+void expect_paraboloid(int n) {
+  const auto net = raised_paraboloid<D>(n);
+  ASSERT_TRUE(net.has_value());
+  const Enclosure found = enclosure_of(*net);
+  EXPECT_LE(found.at_begin, 1.0 / 2);
+  EXPECT_GE(found.at_begin, 0.499);
+  EXPECT_LE(found.at_end, 1.0 / 3);
+  EXPECT_GE(found.at_end, 0.333);
+  EXPECT_GE(found.upper, 1.0 / 2);
+}
+
+TEST(RoundedNet, HoldsDegreesUpToItsRoom) {
+  expect_paraboloid<3>(1);
+  expect_paraboloid<3>(16);
+  EXPECT_FALSE(raised_paraboloid<3>(17).has_value());
+  expect_paraboloid<4>(1);
+  expect_paraboloid<4>(8);
+  EXPECT_FALSE(raised_paraboloid<4>(9).has_value());
 }
 
 /// A rectangle, short in the direction of the rails, whose corners may be off by `error`: it may be twisted by an angle

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "random_program.hpp"
+#include "torse/exact/symbolic/simple_fraction.hpp"
 #include "torse/scalar/concepts.hpp"
 #include "torse/scalar/errors.hpp"
 
@@ -113,6 +114,24 @@ TEST_F(RationalFunctionTest, SimpleFactorsAgreeWithTheGeneralPath) {
       f = product;
     }
   }
+}
+
+/// Which polynomials take that path: units, and linear ones with a coefficient +-1.
+TEST(SimpleFraction, IsOfUnitsAndLinearPolynomials) {
+  fmpz_mpoly_ctx_t ring;
+  fmpz_mpoly_ctx_init(ring, 3, ORD_LEX);
+  const char* names[] = {"x", "y", "z"};
+  const auto simple = [&](const char* text) {
+    fmpz_mpoly_t p;
+    fmpz_mpoly_init(p, ring);
+    EXPECT_EQ(fmpz_mpoly_set_str_pretty(p, text, names, ring), 0);
+    const bool result = detail::is_simple(p, ring);
+    fmpz_mpoly_clear(p, ring);
+    return result;
+  };
+  for (const char* text : {"1", "-1", "x", "-z", "x-y", "2*x+1", "3*x-y", "x+y+z-5"}) EXPECT_TRUE(simple(text)) << text;
+  for (const char* text : {"0", "2", "-3", "2*x", "2*x+2", "x*y", "x^2+1", "x*y+z"}) EXPECT_FALSE(simple(text)) << text;
+  fmpz_mpoly_ctx_clear(ring);
 }
 
 TEST_F(RationalFunctionTest, AnOperandMayBeTheResult) {
