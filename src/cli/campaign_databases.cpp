@@ -6,8 +6,8 @@
 
 #include "torse/cli/campaign.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/fuzz/campaign/compare.hpp"
-#include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
 
 namespace torse::cli {
@@ -45,7 +45,7 @@ int show(const std::string& database, const std::string& json_file) {
     add_reports(json, reports, files);
     json["runs"] = Json::array();
     for (const auto& [number, run] : store.runs()) json["runs"].push_back(run_json(run));
-    write_file(json_file, json.dump(2) + "\n");
+    write_json(json_file, json);
     if (json_file == "-") return verdict(reports);
   }
   const Terminal terminal(stdout);

@@ -7,8 +7,8 @@
 
 #include "torse/cli/campaign.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/fuzz/campaign/compare.hpp"
-#include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
 
 namespace torse::cli {
@@ -107,7 +107,7 @@ int diff(const std::string& a, const std::string& b, const std::string& json_fil
   if (!json_file.empty()) {
     Json json{{"torse", 1}, {"a", a}, {"b", b}, {"equal", code == exit_code::success}, {"properties", Json::array()}};
     for (const Difference& difference : differences) json["properties"].push_back(difference_json(difference));
-    write_file(json_file, json.dump(2) + "\n");
+    write_json(json_file, json);
     if (json_file == "-") return code;
   }
   const Terminal terminal(stdout);

@@ -18,12 +18,12 @@
 #include "torse/cli/campaign_ranks.hpp"
 #include "torse/cli/claims.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/version.hpp"
 #include "torse/fuzz/campaign/campaign.hpp"
 #include "torse/fuzz/campaign/crash.hpp"
 #include "torse/fuzz/properties.hpp"
-#include "torse/io/file.hpp"
 #include "torse/proofs/report.hpp"
 
 namespace torse::cli {
@@ -156,9 +156,7 @@ int report(const Results& results, const RunOptions& options, const fuzz::Plan& 
   const CaseFiles files{options.database, options.database + ".cases"};
   write_cases(results.reports, files, files_of_a_run);
   const int code = results.failed() ? exit_code::refuted : exit_code::success;
-  if (!options.reports.json.empty()) {
-    write_file(options.reports.json, json_of(results, options, plan, files).dump(2) + "\n");
-  }
+  write_json(options.reports.json, json_of(results, options, plan, files));
   write_case_reports(options.reports, cases_of(results.reports, files));
   if (options.reports.use_stdout()) return code;
   const Terminal terminal(stdout);

@@ -11,11 +11,11 @@
 #include "torse/cli/checked.hpp"
 #include "torse/cli/command.hpp"
 #include "torse/cli/html_report.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/cli/page_sections.hpp"
 #include "torse/cli/repair.hpp"
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/terminal.hpp"
-#include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
 
 namespace torse::cli {
@@ -69,7 +69,7 @@ void require_repairable(const CheckedFace& checked) {
 }
 
 /// The report on all faces; `repaired` belongs to the only one that is ruled.
-Json json_report(const std::vector<CheckedFace>& faces, const std::optional<RepairedSurface>& repaired) {
+Json report_of(const std::vector<CheckedFace>& faces, const std::optional<RepairedSurface>& repaired) {
   Json surfaces = Json::array();
   Json errors = Json::array();
   for (const CheckedFace& checked : faces) {
@@ -153,8 +153,8 @@ int run_check(const CheckOptions& options) {
     Terminal(stdout).print(printable(options.repair) + ": " + repair_text(*repaired) + '\n');
   }
   if (!options.reports.json.empty() || options.html.wanted()) {
-    const Json report = json_report(faces, repaired);
-    if (!options.reports.json.empty()) write_file(options.reports.json, report.dump(2) + '\n');
+    const Json report = report_of(faces, repaired);
+    write_json(options.reports.json, report);
     if (options.html.wanted()) {
       write_html(options.html, "Surfaces checked", Json::array({check_section(faces, cases, report)}));
     }

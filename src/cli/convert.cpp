@@ -11,6 +11,7 @@
 #include "torse/cli/command.hpp"
 #include "torse/cli/conversion.hpp"
 #include "torse/cli/faces.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/cli/units.hpp"
 #include "torse/cli/warp.hpp"
@@ -129,7 +130,7 @@ Conversion convert_faces(std::vector<Face> faces, const Wanted& wanted, const st
       faces, {wanted.format, unit, stated > 0 ? stated : usual_tolerance, wanted.max_warp, printable(output)});
 }
 
-std::string json_report(const ConvertOptions& options, const std::vector<Face>& faces, const Conversion& conversion) {
+Json report_of(const ConvertOptions& options, const std::vector<Face>& faces, const Conversion& conversion) {
   Json surfaces = Json::array();
   auto written = conversion.faces.begin();
   for (const Face& face : faces) {
@@ -144,7 +145,7 @@ std::string json_report(const ConvertOptions& options, const std::vector<Face>& 
     }
     surfaces.push_back(std::move(json));
   }
-  return Json{{"torse", 1}, {"output", printable(options.output)}, {"surfaces", surfaces}}.dump(2) + '\n';
+  return {{"torse", 1}, {"output", printable(options.output)}, {"surfaces", surfaces}};
 }
 
 void print_faces(const ConvertOptions& options, const std::vector<Face>& faces, const Conversion& conversion) {
@@ -162,7 +163,7 @@ int convert(const ConvertOptions& options, const Wanted& wanted) {
   const Conversion conversion = convert_faces(ruled_faces(faces), wanted, options.output);
   write_file(options.output, conversion.bytes);
   if (options.json != "-") print_faces(options, faces, conversion);
-  if (!options.json.empty()) write_file(options.json, json_report(options, faces, conversion));
+  write_json(options.json, report_of(options, faces, conversion));
   return exit_code::success;
 }
 

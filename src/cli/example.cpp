@@ -10,9 +10,9 @@
 #include "torse/cli/command.hpp"
 #include "torse/cli/examples.hpp"
 #include "torse/cli/html_report.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/exact/rational/rational.hpp"
-#include "torse/io/file.hpp"
 #include "torse/proofs/examples/fj21_section8.hpp"
 
 namespace torse::cli {
@@ -49,7 +49,7 @@ void print_rows(const std::vector<ExampleRow>& rows) {
 int run_example(const ExampleOptions& options) {
   require_viewer(options.html);
   const std::vector<ExampleRow> rows = proofs::section8_rows<Rational>();
-  if (!options.json.empty()) write_file(options.json, examples_json(rows).dump(1) + "\n");
+  write_json(options.json, examples_json(rows));
   write_html(options.html, "FJ21, section 8, recomputed", nlohmann::ordered_json::array({examples_section()}));
   if (options.json != "-") print_rows(rows);
   return std::ranges::all_of(rows, &ExampleRow::equal) ? exit_code::success : exit_code::refuted;

@@ -14,6 +14,7 @@
 #include "torse/cli/fit_plate.hpp"
 #include "torse/cli/fit_report.hpp"
 #include "torse/cli/html_report.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/cli/page_sections.hpp"
 #include "torse/cli/rails.hpp"
 #include "torse/cli/suggest.hpp"
@@ -207,7 +208,7 @@ int fit(const FitCommand& command, const FitWishes& wishes) {
     Json entry = fit_json(title, strip);
     if (plate) entry["plate"] = fit_plate_json(command.plates, *plate);
     const Json report{{"torse", 1}, {"surfaces", {std::move(entry)}}, {"errors", Json::array()}};
-    if (!command.json.empty()) write_file(command.json, report.dump(2) + '\n');
+    write_json(command.json, report);
     if (command.html.wanted()) {
       write_html(command.html, "Surface between two rails", Json::array({fit_section(input.rails, strip, report)}));
     }

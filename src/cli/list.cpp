@@ -6,9 +6,9 @@
 
 #include "torse/cli/claims.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/fuzz/properties.hpp"
-#include "torse/io/file.hpp"
 #include "torse/proofs/engines/engine.hpp"
 #include "torse/proofs/table.hpp"
 
@@ -55,7 +55,7 @@ int run_list(const ListOptions& options) {
   }
   if (!options.json.empty()) {
     const Json report{{"torse", 1}, {"claims", claims}, {"engines", engines}, {"properties", properties}};
-    write_file(options.json, report.dump(1) + "\n");
+    write_json(options.json, report);
   }
   if (options.json != "-") Terminal(stdout).print(text);
   return exit_code::success;

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/cli/recovered.hpp"
 #include "torse/cli/surface_report.hpp"
 #include "torse/cli/terminal.hpp"
-#include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
 
 namespace torse::cli {
@@ -28,7 +28,7 @@ struct RecoverOptions {
   std::string json;
 };
 
-std::string json_report(const std::vector<RecoveredFace>& faces) {
+Json report_of(const std::vector<RecoveredFace>& faces) {
   Json surfaces = Json::array();
   Json errors = Json::array();
   for (const RecoveredFace& recovered : faces) {
@@ -38,7 +38,7 @@ std::string json_report(const std::vector<RecoveredFace>& faces) {
       surfaces.push_back(recovered_json(recovered));
     }
   }
-  return Json{{"torse", 1}, {"surfaces", surfaces}, {"errors", errors}}.dump(2) + '\n';
+  return {{"torse", 1}, {"surfaces", surfaces}, {"errors", errors}};
 }
 
 void print_face(const Terminal& terminal, const RecoveredFace& recovered) {
@@ -88,7 +88,7 @@ int run_recover(const RecoverOptions& options) {
       faces.push_back(std::move(recovered));
     }
   }
-  if (!options.json.empty()) write_file(options.json, json_report(faces));
+  write_json(options.json, report_of(faces));
   return code_of(faces);
 }
 

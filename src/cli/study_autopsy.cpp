@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/json_report.hpp"
 #include "torse/cli/study.hpp"
 #include "torse/io/file.hpp"
 #include "torse/studies/autopsy.hpp"
@@ -43,22 +44,22 @@ Json json_of(const Loss& loss) {
           {"share", loss.share}};
 }
 
-std::string report_of(const std::string& file, const Autopsy& autopsy) {
+Json report_of(const std::string& file, const Autopsy& autopsy) {
   Json lost = Json::array();
   Json made = Json::array();
   for (const Loss& loss : autopsy.lost) lost.push_back(json_of(loss));
   for (const Loss& loss : autopsy.made) made.push_back(json_of(loss));
-  const Json report{{"torse", 1},
-                    {"file", file},
-                    {"operations", autopsy.operations},
-                    {"worst",
-                     {{"name", autopsy.worst.name},
-                      {"value", autopsy.worst.value},
-                      {"exact", autopsy.worst.exact},
-                      {"digits", autopsy.worst.digits}}},
-                    {"lost", std::move(lost)},
-                    {"made", std::move(made)}};
-  return report.dump(2) + "\n";
+  Json report{{"torse", 1},
+              {"file", file},
+              {"operations", autopsy.operations},
+              {"worst",
+               {{"name", autopsy.worst.name},
+                {"value", autopsy.worst.value},
+                {"exact", autopsy.worst.exact},
+                {"digits", autopsy.worst.digits}}},
+              {"lost", std::move(lost)},
+              {"made", std::move(made)}};
+  return report;
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ std::string report_of(const std::string& file, const Autopsy& autopsy) {
 int print_autopsy(const std::string& file, const std::string& route, const std::string& json) {
   const Document document(file, read_file(file));
   const Autopsy autopsy = studies::autopsy_of(document, route);
-  if (!json.empty()) write_file(json, report_of(file, autopsy));
+  write_json(json, report_of(file, autopsy));
   if (json == "-") return exit_code::success;
 
   const Terminal terminal(stdout);
