@@ -94,10 +94,11 @@ Implicit Types (u : nat -> F) (c d : nat -> 'rV[F]_4) (a b : F) (n : nat).
 
 (** FJ21.3.2 homogeneous: $(b-a)\,p'(t)=n\,(p[t^{\langle n-1\rangle},b]-p[t^{\langle n-1\rangle},a])$ for all coordinates, the weight among them.
     Hypotheses: the knots carry the piece. *)
-Theorem FJ21_3_2_homogeneous m n u (c : nat -> 'rV[F]_m) a b : (0 < n)%N -> span n u ->
+Theorem FJ21_3_2_homogeneous m n u (c : nat -> 'rV[F]_m) a b : span n u ->
   (b - a)%:P *: pderiv (pcurve n u c) = (last_point n u c b - last_point n u c a) *+ n.
 Proof.
-move=> n0 sp; rewrite !last_pointE // pderiv_curve // -scalerMnr; congr (_ *+ n).
+move=> sp; rewrite pderiv_curve // -scalerMnr; case: (posnP n) => [n0|n0]; first by rewrite [in _ *+ n]n0 [in RHS]n0 !mulr0n.
+rewrite !last_pointE //; congr (_ *+ n).
 by rewrite opprD addrACA subrr add0r -scalerBl polyCB opprB addrA subrK.
 Qed.
 
@@ -106,10 +107,15 @@ Qed.
     Hypotheses: the knots carry the piece; $a\ne b$; the weights $w$, $w_0^{n-1}$, $w_1^{n-1}$ do not vanish identically.
     Paper: states none of them; its formula is for $b-a=1$. *)
 Theorem FJ21_3_2_derivative n u c a b (p := pcurve n u c) (p0 := last_point n u c a) (p1 := last_point n u c b) :
-  (0 < n)%N -> span n u -> a != b -> weight p != 0 -> weight p0 != 0 -> weight p1 != 0 ->
+  span n u -> a != b -> weight p != 0 -> weight p0 != 0 -> weight p1 != 0 ->
   pfderiv (affine p) = ((n%:R * weight p0 * weight p1)%:F / ((b - a)%:P * weight p ^+ 2)%:F) *: (affine p1 - affine p0).
 Proof.
-move=> n0 sp ab w0; rewrite pfderiv_affine // /p0 /p1 !last_pointE // pderiv_curve // -/p => a0 b0.
+move=> sp ab w0; rewrite pfderiv_affine // pderiv_curve // -/p; case: (posnP n) => [n0|n0].
+  have -> : n%:R = 0 :> {poly F} by rewrite n0.
+  have -> : pvelocity n u c *+ n = 0 by rewrite [in _ *+ n]n0 mulr0n.
+  move=> _ _; rewrite !mul0r scale0r; apply/rowP=> k; rewrite /weight /place /pfun !mxE ?tofrac0.
+  by rewrite ?(mulr0, mul0r, subr0).
+rewrite /p0 /p1 !last_pointE // => a0 b0.
 have h0 : ((b - a)%:P)%:F != 0 :> K by rewrite tofrac_eq0 polyC_eq0 subr_eq0 eq_sym.
 have eh : (b%:P - 'X)%:F - (a%:P - 'X)%:F = ((b - a)%:P)%:F :> K.
   by rewrite -tofracB polyCB opprB addrA subrK.
@@ -122,11 +128,14 @@ rewrite /affine /weight /place /w /v /p !mxE !mulmxnE !mxE; move: (a%:P - 'X) (b
 by rewrite !(tofracM, tofracD, tofracX, tofracMn) tofrac1.
 Qed.
 
-Lemma det_last n u c d a b : (0 < n)%N -> span n u -> (b - a) ^+ 2 *: \det (rows4 (pcurve n u c) (pderiv (pcurve n u c)) (pcurve n u d) (pderiv (pcurve n u d)))
+Lemma det_last n u c d a b : span n u -> (b - a) ^+ 2 *: \det (rows4 (pcurve n u c) (pderiv (pcurve n u c)) (pcurve n u d) (pderiv (pcurve n u d)))
   = (n ^ 2)%:R * \det (rows4 (last_point n u c a) (last_point n u c b) (last_point n u d a) (last_point n u d b)).
 Proof.
 have times (x : 'rV[{poly F}]_4) : x *+ n = n%:R *: x by rewrite scaler_nat.
-move=> n0 sp; rewrite !last_pointE // det_lines !pderiv_curve // !times det_scaled -mul_polyC natrX mulrCA polyC_exp.
+move=> sp; rewrite !pderiv_curve // !times det_scaled; case: (posnP n) => [e|n0].
+  have z : n%:R = 0 :> {poly F} by rewrite e.
+  by rewrite natrX z expr0n !mul0r ?scaler0.
+rewrite !last_pointE // det_lines -mul_polyC natrX mulrCA polyC_exp.
 by rewrite polyCB [b%:P - 'X - _](_ : _ = b%:P - a%:P) // opprB addrA subrK.
 Qed.
 
@@ -135,40 +144,54 @@ Qed.
     piece of a spline.
     Hypotheses: the knots carry the piece; the weights $w$, $\omega$ do not vanish identically. *)
 Theorem FJ21_C3_1_determinant n u c d a b (p := pcurve n u c) (q := pcurve n u d) :
-  (0 < n)%N -> span n u -> weight p != 0 -> weight q != 0 ->
+  span n u -> weight p != 0 -> weight q != 0 ->
   (((b - a)%:P * weight p * weight q) ^+ 2)%:F * triple (affine q - affine p) (pfderiv (affine p)) (pfderiv (affine q))
     = - ((n ^ 2)%:R * \det (rows4 (last_point n u c a) (last_point n u c b) (last_point n u d a) (last_point n u d b)))%:F.
 Proof.
-move=> n0 sp w0 om0; rewrite -det_last // -mulrA exprMn tofracM -mulrA FJ21_C3_1_tangents // mulrN -tofracM.
+move=> sp w0 om0; rewrite -det_last // -mulrA exprMn tofracM -mulrA FJ21_C3_1_tangents // mulrN -tofracM.
 by rewrite -mul_polyC polyC_exp.
+Qed.
+
+(* Where w vanishes identically so do the weights of the last points, unless n = 0 in the field. *)
+Lemma weight_last n u (c : nat -> 'rV[F]_4) a : span n u -> weight (pcurve n u c) = 0 -> weight (last_point n u c a) != 0 -> n%:R = 0 :> F.
+Proof.
+case: n => [//|n] sp w0; rewrite last_pointE // /weight !mxE; move: w0; rewrite /weight mxE => w0; rewrite w0 add0r mulf_eq0 negb_or => /andP[_ v0].
+have := blossoms_derivative (coord c 0) sp; rewrite w0 linear0 => /esym/eqP.
+by rewrite -[_ *+ n.+1]mulr_natl mulf_eq0 (negPf v0) orbF -polyC1 -polyCMn polyC_eq0 => /eqP.
 Qed.
 
 (** FJ21.P3.1 points: $(d-c)\cdot(c'\times d')=-n^2\frac{w_0w_1\omega_0\omega_1}{(b-a)^2w^2\omega^2}\,[\,c_1-c_0,\,d_0-c_0,\,d_1-c_0\,]$
     for the points $c_0,c_1,d_0,d_1$ of the rows $p[t^{\langle n-1\rangle},a]$, ..., here without denominators.
-    Hypotheses: the knots carry the piece; none of the six weights vanishes identically. *)
+    Hypotheses: the knots carry the piece; none of the four weights vanishes identically. *)
 Theorem FJ21_P3_1_points n u c d a b (p := pcurve n u c) (q := pcurve n u d)
     (p0 := last_point n u c a) (p1 := last_point n u c b) (q0 := last_point n u d a) (q1 := last_point n u d b) :
-  (0 < n)%N -> span n u -> weight p != 0 -> weight q != 0 ->
-  weight p0 != 0 -> weight p1 != 0 -> weight q0 != 0 -> weight q1 != 0 ->
+  span n u -> weight p0 != 0 -> weight p1 != 0 -> weight q0 != 0 -> weight q1 != 0 ->
   (((b - a)%:P * weight p * weight q) ^+ 2)%:F * triple (affine q - affine p) (pfderiv (affine p)) (pfderiv (affine q))
     = - ((n ^ 2)%:R * (weight p0 * weight p1 * weight q0 * weight q1))%:F
       * triple (affine p1 - affine p0) (affine q0 - affine p0) (affine q1 - affine p0).
 Proof.
-move=> n0 sp w0 om0 p00 p10 q00 q10; rewrite FJ21_C3_1_determinant // !tofracM mulNr -mulrA; congr (- (_ * _)).
+move=> sp p00 p10 q00 q10.
+have void : (weight p * weight q) ^+ 2 = 0 -> n%:R = 0 :> F.
+  by move/eqP; rewrite expf_eq0 mulf_eq0 => /orP[] /eqP w0; [exact: weight_last sp w0 p00 | exact: weight_last sp w0 q00].
+have [e|nz] := eqVneq ((weight p * weight q) ^+ 2) 0.
+  by rewrite -mulrA exprMn e mulr0 tofrac0 mul0r natrX -polyC1 -polyCMn void // polyC0 expr0n !mul0r tofrac0 oppr0 mul0r.
+have [w0 om0] : weight p != 0 /\ weight q != 0 by apply/andP; move: nz; rewrite expf_eq0 mulf_eq0 negb_or.
+rewrite FJ21_C3_1_determinant // !tofracM mulNr -mulrA; congr (- (_ * _)).
 by rewrite det_pfun det_points ?weight_fun // /affine !weightE.
 Qed.
 
 (** FJ21.P3.1 coplanar: the surface is developable iff the points $c_0^{n-1}(t)$, $c_1^{n-1}(t)$, $d_0^{n-1}(t)$, $d_1^{n-1}(t)$ are coplanar.
-    Hypotheses: the knots carry the piece; $a\ne b$; $n\ne0$ in the field; none of the six weights vanishes identically.
+    Hypotheses: the knots carry the piece; $a\ne b$; $n\ne0$ in the field; none of the four weights vanishes identically.
     Paper: states none of them; where $w_0^{n-1}$ vanishes there is no point $c_0^{n-1}$, and Corollary 3.1 still holds. *)
 Theorem FJ21_P3_1_coplanar n u c d a b (p := pcurve n u c) (q := pcurve n u d)
     (p0 := last_point n u c a) (p1 := last_point n u c b) (q0 := last_point n u d a) (q1 := last_point n u d b) :
-  n%:R != 0 :> F -> span n u -> a != b -> weight p != 0 -> weight q != 0 ->
+  n%:R != 0 :> F -> span n u -> a != b ->
   weight p0 != 0 -> weight p1 != 0 -> weight q0 != 0 -> weight q1 != 0 ->
   rational_developable p q <-> coplanar (affine p0) (affine p1) (affine q0) (affine q1).
 Proof.
-move=> n0 sp ab w0 om0 p00 p10 q00 q10; have n1 : (0 < n)%N by rewrite lt0n; apply: contraNneq n0 => ->.
-rewrite -triple_coplanar; have := FJ21_P3_1_points n1 sp w0 om0 p00 p10 q00 q10; rewrite /rational_developable -/p -/q => e.
+move=> n0 sp ab p00 p10 q00 q10; have w0 : weight p != 0 by apply: contraNneq n0 => w0; apply/eqP; exact: weight_last sp w0 p00.
+have om0 : weight q != 0 by apply: contraNneq n0 => z0; apply/eqP; exact: weight_last sp z0 q00.
+rewrite -triple_coplanar; have := FJ21_P3_1_points sp p00 p10 q00 q10; rewrite /rational_developable -/p -/q => e.
 have nz : ((b - a)%:P * weight p * weight q) ^+ 2 != 0.
   by rewrite expf_neq0 // !mulf_neq0 // polyC_eq0 subr_eq0 eq_sym.
 have nz' : (n ^ 2)%:R * (weight p0 * weight p1 * weight q0 * weight q1) != 0.
@@ -192,8 +215,7 @@ Theorem FJ21_C3_1_dependent n u c d a b (p := pcurve n u c) (q := pcurve n u d) 
   n%:R != 0 :> F -> span n u -> a != b -> weight p != 0 -> weight q != 0 -> rational_developable p q <->
   dependent4 (last_point n u c a) (last_point n u c b) (last_point n u d a) (last_point n u d b).
 Proof.
-move=> n0 sp ab w0 om0; have n1 : (0 < n)%N by rewrite lt0n; apply: contraNneq n0 => ->.
-rewrite FJ21_2_1_determinant // -det_dependent; have := det_last c d a b n1 sp; rewrite -/p -/q => e; split=> h; move: e; rewrite h.
+move=> n0 sp ab w0 om0; rewrite FJ21_2_1_determinant // -det_dependent; have := det_last c d a b sp; rewrite -/p -/q => e; split=> h; move: e; rewrite h.
   rewrite scaler0 => /esym/eqP; rewrite natrX mulf_eq0 expf_eq0 /= => /orP[|/eqP //].
   by rewrite -polyC1 -polyCMn polyC_eq0 (negPf n0).
 by rewrite mulr0 => /eqP; rewrite scaler_eq0 expf_eq0 subr_eq0 eq_sym (negPf ab) /= => /eqP.
