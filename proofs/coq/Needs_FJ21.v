@@ -1,10 +1,10 @@
-(* FJ21, sections 4 to 6: what happens without the hypotheses of the theorems on the values at one parameter, here t = 0 unless it is said.
+(* FJ21, sections 4 and 5: what happens without the hypotheses of the theorems on the values at one parameter, here t = 0 unless it is said.
    Where n = 0 in the field, as for n = p in characteristic p, p + (x-t)/n p' has no meaning, and such an example takes x / 0 = 0.
    Definitions:
      jet A B          the row A + B X of polynomials: its value at 0 is A, its derivative B
      e1, e2, e3       the points (1,0,0), (0,1,0), (0,0,1) *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4 FJ21_5 FJ21_6 FJ21_6_theorem.
+From Torse Require Import Blossom Curves Points FJ21_4 FJ21_5.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -242,60 +242,6 @@ Theorem FJ21_5_4_needs_G n (p := jet e1 0) (q := jet (e1 + e2) (- e1)) (f := lin
   related_at n.+1 (f *: p) (f *: p + g *: (q - p)) 0 0 (- n.+1%:R) 1 /\ forall L M s, ~ related_at n p q 0 L M s.
 Proof.
 rewrite /p /q /f /g => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
-split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h2); ring.
-by rewrite s0 in h1; refute (1 : F) h1.
-Qed.
-
-(** FJ21.6 edge_needs_degree: where $n=0$ in the field, $p=q=0$ are related for $\Lambda=1$, $M=0$, $\sigma=1$, so that $E=1$, $v=0$, $\alpha=\beta=0$, but $p'\ne0$. *)
-Theorem FJ21_6_edge_needs_degree n (p := jet 0 e1) (q := jet 0 0) : n%:R = 0 :> F ->
-  related_at n p q 0 1 0 1 /\ (1 - 0) *: ev (pderiv p) 0 + 0 *: ev (pderiv q) 0
-    <> (n%:R * 1 * (1 - 0) / 1 ^+ 2) *: ev (q - p) 0 + (n%:R * (1 - 1) / 1) *: ((1 - 0) *: ev p 0 + 0 *: ev q 0).
-Proof.
-rewrite /p /q => n0; split; at_jets; rewrite n0 ?invr0; first by by_coords; ring.
-by split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.6 edge_needs_E: for $\Lambda=M=t$, $\sigma=1$, so that $E=0$, there may be no singular point: $p=q=0$, $p'=(1,0,0)$, $q'=(0,1,0)$. *)
-Theorem FJ21_6_edge_needs_E n (p := jet 0 e1) (q := jet 0 e2) : related_at n p q 0 0 0 1 /\
-  forall v al be, (1 - v) *: ev (pderiv p) 0 + v *: ev (pderiv q) 0 <> al *: ev (q - p) 0 + be *: ((1 - v) *: ev p 0 + v *: ev q 0).
-Proof.
-rewrite /p /q; split=> [|v al be]; at_jets; first by by_coords; ring.
-split_coords => h1 h2 _; have v0 : v = 0 by apply: (by_multiple (z := 1) h2); ring.
-by rewrite v0 in h1; refute (1 : F) h1.
-Qed.
-
-(** FJ21.6 unique_needs_free: where $p=q=p'=q'=0$ every $v$, $\alpha$, $\beta$ serves. *)
-Theorem FJ21_6_unique_needs_free n v al be (p := jet 0 0) : related_at n p p 0 1 0 1 /\
-  (1 - v) *: ev (pderiv p) 0 + v *: ev (pderiv p) 0 = al *: ev (p - p) 0 + be *: ((1 - v) *: ev p 0 + v *: ev p 0).
-Proof. by rewrite /p; split; at_jets; by_coords; ring. Qed.
-
-(** FJ21.6 functions_needs_degree: where $n=0$ in the field, $v=0$, $\alpha=1$, $\beta=0$: $p'=q-p$ for $p=0$, $q=(1,0,0)$, and $p\ne\sigma q$, $\sigma=1$. *)
-Theorem FJ21_6_functions_needs_degree n (p := jet 0 e1) (q := jet e1 0) : n%:R = 0 :> F ->
-  (1 - 0) *: ev (pderiv p) 0 + 0 *: ev (pderiv q) 0 = 1 *: ev (q - p) 0 + 0 *: ((1 - 0) *: ev p 0 + 0 *: ev q 0) /\
-  forall L M, ~ related_at n p q 0 L M ((1 + 0 * 0) / (1 + (0 - 1) * 0)).
-Proof.
-rewrite /p /q => n0; split=> [|L M]; at_jets; first by by_coords; ring.
-rewrite n0 invr0 (_ : (1 + 0 * 0) / (1 + (0 - 1) * 0) = 1); last by rewrite !mulr0 addr0 divr1.
-by split_coords => h1 _ _; refute (-1 : F) h1.
-Qed.
-
-(** FJ21.6 functions_needs_Lambda: for $v=0$, $\alpha=\beta=1$, where $\alpha+(v-1)\beta=0$, $p'=q$ is the condition, and there are no $\Lambda,M,\sigma$ for
-    $p=(1,0,0)$, $q=p'=(0,1,0)$, $q'=0$. *)
-Theorem FJ21_6_functions_needs_Lambda n (p := jet e1 e2) (q := jet e2 0) :
-  (1 - 0) *: ev (pderiv p) 0 + 0 *: ev (pderiv q) 0 = 1 *: ev (q - p) 0 + 1 *: ((1 - 0) *: ev p 0 + 0 *: ev q 0) /\
-  forall L M s, ~ related_at n p q 0 L M s.
-Proof.
-rewrite /p /q; split=> [|L M s]; at_jets; first by by_coords; ring.
-by split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.6 functions_needs_M: for $v=1$, $\alpha=-1$, $\beta=1$, where $\alpha+v\beta=0$, $q'=p$ is the condition, and there are no $\Lambda,M,\sigma$ for $q=(0,1,0)$,
-    $p=q'=(1,0,0)$, $p'=0$. *)
-Theorem FJ21_6_functions_needs_M n (p := jet e1 0) (q := jet e2 e1) :
-  (1 - 1) *: ev (pderiv p) 0 + 1 *: ev (pderiv q) 0 = (-1) *: ev (q - p) 0 + 1 *: ((1 - 1) *: ev p 0 + 1 *: ev q 0) /\
-  forall L M s, ~ related_at n p q 0 L M s.
-Proof.
-rewrite /p /q; split=> [|L M s]; at_jets; first by by_coords; ring.
 split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h2); ring.
 by rewrite s0 in h1; refute (1 : F) h1.
 Qed.
