@@ -172,6 +172,17 @@ TEST_F(ConvertCad, IgesHoldsTwoCurvesOfEqualKnots) {
   EXPECT_EQ(part(1, 33, 36), net.d[4]);
 }
 
+/// The second of a curve's four flags; the first rail comes back to its beginning, the second one does not.
+TEST_F(ConvertCad, IgesTellsWhichCurvesAreClosed) {
+  Net net = random_net(9, true);
+  net.c.back() = net.c.front();
+  report(net.file(), "a.igs");
+  const std::vector<std::vector<double>> curves = curves_of(slurp(path("a.igs")));
+  ASSERT_EQ(curves.size(), 2U);
+  EXPECT_EQ(curves[0][4], 1);
+  EXPECT_EQ(curves[1][4], 0);
+}
+
 TEST_F(ConvertCad, TheFlagNeedsACertificate) {
   const json exact = report(plane.file(), "a.igs");
   EXPECT_EQ(exact.at("developable"), true);

@@ -118,6 +118,19 @@ TEST_F(CadRails, ArcsBecomeRationalCurvesOnTheCircle) {
   EXPECT_NEAR(input.rails.c.net.points.back()[0].to_double(), 6, 1e-14);
 }
 
+/// (8t, 8t^2, 0) on [0, 1], of which [1/4, 3/4] is used: from (2, 1/2, 0) to (6, 9/2, 0).
+TEST_F(CadRails, SplinesEndWhereTheirTrimEnds) {
+  StepText step;
+  const std::string whole = spline(step, "", 2, {"0.,0.,0.", "4.,0.,0.", "8.,8.,0."}, "(3,3),(0.,1.)");
+  const std::string part =
+      step.add("TRIMMED_CURVE('part'," + whole + ",(PARAMETER_VALUE(0.25)),(PARAMETER_VALUE(0.75)),.T.,.PARAMETER.)");
+  const std::string other = chine(step);
+  const InputRails input = cli::read_input_rails({.file = file("rails.step", step.file({part, other}, false))});
+  const CurveFile<Q>& c = input.rails.c;
+  EXPECT_EQ(at(c, c.knots.domain_begin()), Point(Q(2), exact(0.5), Q(0)));
+  EXPECT_EQ(at(c, c.knots.domain_end()), Point(Q(6), exact(4.5), Q(0)));
+}
+
 TEST_F(CadRails, IgesCurvesWithTheirMatrix) {
   IgesText iges(6);
   const int moved = iges.add(124, "1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,2.5");

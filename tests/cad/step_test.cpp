@@ -78,7 +78,7 @@ TEST_F(Step, DegreeOneInTheOtherDirectionIsTheSameSurface) {
 }
 
 TEST_F(Step, SeveralSpansAreSeveralStripsWithTheirOwnVerdicts) {
-  // The first strip is in the plane z = 0, the second is a hyperbolic paraboloid, the knot 0.5 is double: no strip.
+  // The first strip is in the plane z = 0, the second is a hyperbolic paraboloid.
   StepText step;
   const std::string surface =
       step.spline("two", 1, 1, {{"0.,0.,0.", "0.,1.,0.", "0.,2.,0."}, {"1.,0.,0.", "1.,1.,0.", "1.,2.,1."}},
@@ -90,6 +90,20 @@ TEST_F(Step, SeveralSpansAreSeveralStripsWithTheirOwnVerdicts) {
   EXPECT_EQ(report[1]["name"], "two strip 2");
   EXPECT_EQ(report[1]["developable"], false);
   EXPECT_EQ(report[0]["face"], report[1]["face"]);
+}
+
+TEST_F(Step, NoStripLiesBetweenEqualKnots) {
+  // Where the knot 0.5 is double, the surface jumps from the row y = 1 to the row y = 5.
+  StepText step;
+  const std::string surface = step.spline(
+      "", 1, 1, {{"0.,0.,0.", "0.,1.,0.", "0.,5.,0.", "0.,6.,0."}, {"1.,0.,0.", "1.,1.,0.", "1.,5.,0.", "1.,6.,0."}},
+      "(2,2),(2,2,2),(0.,1.),(0.,0.5,1.)");
+  const auto read = faces(alone(step, surface));
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].surface->c.points[0][1], q("0"));
+  EXPECT_EQ(read[0].surface->d.points[0][1], q("1"));
+  EXPECT_EQ(read[1].surface->c.points[0][1], q("5"));
+  EXPECT_EQ(read[1].surface->d.points[0][1], q("6"));
 }
 
 TEST_F(Step, UnclampedKnotsAreKept) {

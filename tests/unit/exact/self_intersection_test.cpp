@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "torse/quasi/mapping.hpp"
@@ -88,6 +90,40 @@ TEST(SelfIntersection, FarPartsThatMeetAreFound) {
 
 TEST(SelfIntersection, ABudgetThatRunsOutIsUnknown) {
   EXPECT_EQ(find_self_intersection<3>(bezier_knots<Q>(3), looped(), raised(looped(), Q(1)), 2).crosses, Truth::unknown);
+}
+
+/// Turned in its plane by an angle with cosine 3/5, in thirds: products that vanish do so but for their rounding.
+Row turned(const std::vector<std::array<int, 2>>& corners) {
+  Row row;
+  for (const auto& [x, y] : corners)
+    row.push_back(Point(ratio<Q>(3 * x - 4 * y, 15), ratio<Q>(4 * x + 3 * y, 15), Q(0)));
+  return row;
+}
+
+/// The first ruling lies along its rail, which one look without rounding tells; 300 pairs pay for one.
+TEST(SelfIntersection, ExactLooksAreRationed) {
+  const Row c = turned({{0, 0}, {1, 0}}), d = turned({{-1, 0}, {1, 1}});
+  const auto within = [&](long pairs) { return find_self_intersection<3>(bezier_knots<Q>(1), c, d, pairs).crosses; };
+  EXPECT_EQ(within(300), Truth::no);
+  EXPECT_EQ(within(299), Truth::unknown);
+}
+
+/// A strip of two pieces, straight and then turning about: only parts of the second one are in order, the outermost of
+/// which ends on a ruling along its rail, and there only a look without rounding tells.
+TEST(SelfIntersection, ExactLooksAreAtTheRightPart) {
+  Row c = turned({{0, -12}, {0, -8}, {0, -4}, {0, 0}, {0, 4}, {-6, 4}, {-6, 0}});
+  Row d = turned({{-1, -12}, {-1, -8}, {-1, -4}, {-1, 0}, {0, 3}, {-5, 2}, {-6, -1}});
+  const KnotList<Q> u(3, {Q(0), Q(0), Q(0), Q(1), Q(1), Q(1), Q(2), Q(2), Q(2)});
+  EXPECT_EQ(crosses(u, c, d), Truth::no);
+  EXPECT_EQ(crosses(u, d, c), Truth::no);
+  // Turned further by 2^-70, the last ruling crosses those before it.
+  Row beyond = d;
+  beyond.back()[0] -= Q::from_double(0x1p-70) * ratio<Q>(3, 5);
+  beyond.back()[1] -= Q::from_double(0x1p-70) * ratio<Q>(4, 5);
+  EXPECT_NE(crosses(u, c, beyond), Truth::no);
+  std::ranges::reverse(c);
+  std::ranges::reverse(d);
+  EXPECT_EQ(crosses(u, c, d), Truth::no);
 }
 
 /// A quarter of a cylinder in homogeneous rows.

@@ -1,6 +1,7 @@
 // The certified warp angle against angles known in closed form, exact samples, and its invariances.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -344,6 +345,24 @@ TEST(Warp, KeepsTheBestBoundOfPiecesThatStayOpen) {
     EXPECT_GE(warp.upper, good.lower);
     EXPECT_LE(warp.lower, good.upper);
   }
+}
+
+/// Two cylinders over arcs that nearly have a cusp, bent by 1e-12: the coefficients of the denominator have both signs
+/// over a whole piece, so that bounds are known of its parts alone.
+TEST(Warp, HalvesPiecesThatStayOpen) {
+  Net net{KnotList<Q>(3, {Q(0), Q(0), Q(0), Q(1), Q(1), Q(1), Q(2), Q(2), Q(2)}), {}, {}};
+  const std::vector<std::array<int, 2>> corners{{0, 0}, {3, 3}, {1, 3}, {4, 0}, {7, 3}, {5, 3}, {8, 0}};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Q x(corners[i][0]), y(corners[i][1]);
+    net.c.push_back(Point3(x, y, Q(0)));
+    net.d.push_back(Point3(x + power(10, -12) * Q(static_cast<int>(i % 3)), y, Q(5)));
+  }
+  const WarpEnclosure good = warp_of(net);
+  const WarpEnclosure warp = warp_of(net, {.intervals = 400});
+  EXPECT_FALSE(warp.complete);
+  EXPECT_LT(warp.upper, 1e-3);
+  EXPECT_GE(warp.upper, good.lower);
+  EXPECT_LE(warp.lower, good.upper);
 }
 
 /// c = (t, 0, 0) and d = c + z(t) (0, 1, t): the rulings vanish with z, and so do both normals.
