@@ -308,6 +308,9 @@ TEST(Mesh, WhatHasNoMesh) {
   RuledFile<Q> pole = rational_cubic();
   pole.c.weights[1] = Q(-5);
   EXPECT_EQ(place(pole, 1), "weights");
+  const RuledFile<Q> pole_at_a_knot =
+      surface_of(knots(2, {0, 0, 1, 2, 2}), test::points(4, 3), test::points(4, 4), {Q(1), Q(1), Q(-1), Q(-1)});
+  EXPECT_EQ(place(pole_at_a_knot, 1), "weights");
   EXPECT_EQ(place(rational_cubic(), 1e-30), "tolerance");
   const RuledFile<Q> twisted = surface_of(bezier_knots<Q>(1), {test::point(0, 0, 0), test::point(1, 0, 0)},
                                           {test::point(0, 1, 0), test::point(1, 1, 1)});

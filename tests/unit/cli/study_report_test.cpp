@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace torse::cli {
 namespace {
@@ -61,6 +62,13 @@ TEST(StudyReport, SummaryByHand) {
   EXPECT_EQ(level.median(), 7);
 }
 
+TEST(StudyReport, NothingIsNoNumberToo) {
+  EXPECT_EQ(Spread().median(), 0);
+  EXPECT_EQ(Spread().most(), 0);
+  EXPECT_EQ((Spread{{4, 1, 3, 2}}).median(), 2);
+  EXPECT_EQ(TestSummary().false_yes + TestSummary().false_no + TestSummary().cases, 0U);
+}
+
 TEST(StudyReport, RowsQuoteWhatNeedsIt) {
   studies::Task part = task();
   const std::string rows = study_csv(part, records());
@@ -88,6 +96,29 @@ TEST(StudyReport, TheDrawingIsXml) {
   EXPECT_TRUE(svg.starts_with("<svg "));
   EXPECT_NE(svg.find("FJ07.13.rulings, double"), std::string::npos);
   EXPECT_EQ(svg.find("FJ07.13.rulings, float"), std::string::npos);  // one arithmetic, to be read
+  double width = 0;
+  double height = 0;
+  double right = 0;
+  double bottom = 0;
+  ASSERT_EQ(
+      std::sscanf(svg.c_str(),
+                  "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%lf\" height=\"%lf\" viewBox=\"0 0 %lf %lf\">",
+                  &width, &height, &right, &bottom),
+      4);
+  EXPECT_EQ(width, right);
+  EXPECT_EQ(height, bottom);
+  // One plot and its margins; two factors have two plots, one below the other.
+  studies::Task more = task();
+  more.design.variations.push_back(more.design.variations.front());
+  const std::string taller = study_svg(more, summary_of(more, records()));
+  double twice = 0;
+  ASSERT_EQ(std::sscanf(taller.c_str(), "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%lf\" height=\"%lf\"",
+                        &right, &twice),
+            2);
+  EXPECT_EQ(right, width);
+  // A plot of 520 by 320 with its margins of 70: 660 wide, 460 high, after 70
+  EXPECT_EQ(height, 530);
+  EXPECT_EQ(twice, 990);
 }
 
 }  // namespace
