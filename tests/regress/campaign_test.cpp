@@ -175,7 +175,8 @@ TEST_F(Campaign, ReportsSayWhatWasCovered) {
 TEST_F(Campaign, FailuresAreFilesThatReplayRuns) {
   make_failing("a", true);
   std::vector<std::string> words = runs_.run("a", "1..5", "1");
-  words.insert(words.end(), {"--json", runs_.file("json"), "--junit", runs_.file("junit")});
+  words.insert(words.end(),
+               {"--json", runs_.file("json"), "--junit", runs_.file("junit"), "--sarif", runs_.file("sarif")});
   const ProgramResult result = run(words);
   EXPECT_EQ(result.exit, 1);
   const std::string path = runs_.file("a.cases/text.number-quick-3-17.json");
@@ -187,6 +188,9 @@ TEST_F(Campaign, FailuresAreFilesThatReplayRuns) {
   EXPECT_EQ(report["failures"][0]["seed"], 3);
   EXPECT_EQ(report["properties"][0]["failed"], 4);
   EXPECT_THAT(slurp(runs_.scratch() / "junit"), HasSubstr("failures=\"1\""));
+  const json found = json::parse(slurp(runs_.scratch() / "sarif"))["runs"][0]["results"];
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "file://" + path);
   EXPECT_EQ(torse({"campaign", "show", runs_.file("a")}).exit, 1);
   EXPECT_EQ(torse({"campaign", "export", runs_.file("a"), "-o", runs_.file("x/y")}).exit, 0);
   EXPECT_EQ(slurp(runs_.scratch() / "x/y/text.number-quick-3-17.json"), slurp(path));

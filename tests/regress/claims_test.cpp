@@ -128,7 +128,10 @@ TEST_F(Verify, WhatMakesNoSenseIsAnError) {
       {{"--effort", "slow"}, "--effort: unknown name slow"},
       {{"--shard", "4/3"}, "--shard: expected i/k with 1 <= i <= k, found 4/3"},
       {{"--shard", "0/3"}, "--shard: expected i/k with 1 <= i <= k, found 0/3"},
+      {{"--shard", "1/3x"}, "--shard: expected i/k with 1 <= i <= k, found 1/3x"},
+      {{"--shard", "1"}, "--shard: expected i/k with 1 <= i <= k, found 1"},
       {{"--threads", "0"}, "--threads"},
+      {{"--threads", "257"}, "--threads"},
       {{"--json", "-", "--junit", "-"}, "standard output"},
       {{"--baseline", "/nowhere.json"}, "/nowhere.json"}};
   for (const auto& [words, message] : wrong) {

@@ -121,5 +121,54 @@ TEST(StudyReport, TheDrawingIsXml) {
   EXPECT_EQ(twice, 990);
 }
 
+/// What is printed, in a file instead of a terminal.
+std::string printed(const studies::Task& task, const StudySummary& summary) {
+  std::FILE* file = std::tmpfile();
+  print_study(Terminal(file), task, summary);
+  std::string text(static_cast<std::size_t>(std::ftell(file)), ' ');
+  std::rewind(file);
+  EXPECT_EQ(std::fread(text.data(), 1, text.size(), file), text.size());
+  std::fclose(file);
+  return text;
+}
+
+TEST(StudyReport, FailedCasesArePrinted) {
+  const std::string text = printed(task(), summary_of(task(), records()));
+  EXPECT_NE(text.find("1.5  1 not finite\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("0 not finite"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 errors exceed the proved bound\n"), std::string::npos) << text;
+}
+
+/// Verdicts of a naive test on five nets.
+TEST(StudyReport, WrongVerdictsByHand) {
+  studies::Task verdicts = task();
+  verdicts.design.verdicts = true;
+  verdicts.design.subjects = {"double, 0"};
+  std::vector<std::string> lines;
+  const auto add = [&](int pieces, bool developable, bool wrong) {
+    Json line = Json::parse(record(static_cast<int>(lines.size()), pieces, {}));
+    line["developable"] = developable;
+    line["results"] =
+        Json::array({{{"test", "double, 0"}, {"says_developable", developable != wrong}, {"wrong", wrong}}});
+    lines.push_back(line.dump());
+  };
+  add(1, true, true);
+  add(1, true, false);
+  add(4, true, true);
+  add(4, false, true);
+  add(4, false, false);
+  const StudySummary summary = summary_of(verdicts, lines);
+  const TestSummary& test = summary.tests.at("double, 0");
+  EXPECT_EQ(test.cases, 5U);
+  EXPECT_EQ(test.false_no, 2U);
+  EXPECT_EQ(test.false_yes, 1U);
+  const TestSummary& level = summary.test_levels.at({"double, 0", studies::Factor::pieces, 4.0});
+  EXPECT_EQ(level.cases, 3U);
+  EXPECT_EQ(level.false_no, 1U);
+  EXPECT_EQ(level.false_yes, 1U);
+  EXPECT_NE(printed(verdicts, summary).find("double, 0                          1/2       2/3\n"), std::string::npos)
+      << printed(verdicts, summary);
+}
+
 }  // namespace
 }  // namespace torse::cli

@@ -24,6 +24,22 @@ RuledPiece piece(const ArcPoints& c, const ArcPoints& d) {
   return {row(c), row(d), {c.front(), c.back()}, {d.front(), d.back()}};
 }
 
+/// The quotients of all numbers in the intervals. A weight of exactly 1 leaves the others as they are.
+TEST(ArcPoints, AreDividedByTheirWeights) {
+  const auto expect_x = [](const Interval& weight, const Interval& x, double lower, double upper) {
+    const std::optional<ArcPoints> points = arc_points({{weight, x, Interval(0), Interval(0)}});
+    ASSERT_TRUE(points);
+    EXPECT_EQ(points->front()[0].lower(), lower);
+    EXPECT_EQ(points->front()[0].upper(), upper);
+  };
+  expect_x(Interval(1), Interval::hull(2, 3), 2, 3);
+  expect_x(Interval::hull(1, 2), Interval(1), 0.5, 1);
+  expect_x(Interval::hull(0.5, 1), Interval(1), 1, 2);
+  expect_x(Interval::hull(-2, -1), Interval(1), -1, -0.5);
+  EXPECT_FALSE(arc_points({{Interval::hull(0, 1), Interval(1), Interval(1), Interval(1)}}));
+  EXPECT_FALSE(arc_points({{Interval::hull(-1, 0), Interval(1), Interval(1), Interval(1)}}));
+}
+
 /// x = 6t - 5t^2 goes on to 9/5 at t = 3/5 before it comes back to 1, all along the chord [0, 1].
 TEST(RailDeviation, SeesACurveThatRunsBeyondItsChord) {
   EXPECT_GE(rail_deviation({point(0, 0, 0), point(3, 0, 0), point(1, 0, 0)}), 0.8);

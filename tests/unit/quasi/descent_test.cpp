@@ -220,6 +220,18 @@ TEST(Descent, EachCoefficientMovesAlone) {
   }
 }
 
+TEST(Descent, WithoutStagesOneEvaluationIsTheResult) {
+  const Problem problem{turned_arcs(40)};
+  DescentOptions options;
+  options.stages = 0;
+  const Descent descent = descend(problem.rails.d, problem.samples, problem.identity, options);
+  EXPECT_EQ(descent.evaluations, 1);
+  EXPECT_TRUE(descent.steps.empty());
+  EXPECT_FALSE(descent.converged);
+  EXPECT_EQ(descent.beta, problem.identity);
+  EXPECT_EQ(descent.value, measured(problem.rails.d, problem.samples, problem.identity, options));
+}
+
 TEST(Descent, AwkwardRails) {
   const Polynomials line{hundredths({0, 100}), hundredths({0}), hundredths({0})};
   const Polynomials cross{hundredths({0, 40}), hundredths({-50, 100}), hundredths({100})};
