@@ -19,9 +19,10 @@ std::optional<Descent<D>> best_descent(const BilinearSystem<Real>& system, const
   }
   std::ranges::stable_sort(starts, {}, [](const auto& start) { return start.first; });
   constexpr std::size_t most_starts = 2;
+  if (starts.size() > most_starts) starts.resize(most_starts);
   std::optional<Descent<D>> best;
-  for (std::size_t i = 0; i < std::min(most_starts, starts.size()); ++i) {
-    auto descent = descend<D>(projector, std::move(starts[i].second), system.constants, rival);
+  for (auto& [squared, theta] : starts) {
+    auto descent = descend<D>(projector, std::move(theta), system.constants, rival);
     if (!descent || (best && !(descent->nearest.squared < best->nearest.squared))) continue;
     rival = std::min(rival, descent->nearest.squared);
     best = std::move(descent);

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "torse/developable/linear_net.hpp"
 #include "torse/developable/special.hpp"
+#include "torse/exact/repair/edge_solver.hpp"
+#include "torse/exact/repair/edge_start.hpp"
 #include "torse/exact/repair/families.hpp"
 #include "torse/exact/repair/frame.hpp"
 #include "torse/spline/elevation.hpp"
@@ -94,6 +97,78 @@ TEST(RepairCandidates, EdgesAreAsNearAsTheirAccuracy) {
     ASSERT_TRUE(candidate);
     expect_near(net, *candidate, "edge");
   }
+}
+
+/// What remains of a net after the best edge for constants.
+template <int D>
+Real remainder_of(const KnotList<Q>& u, const RealNet<D>& net, const EdgeFamily& family,
+                  const std::vector<Real>& theta) {
+  const auto map = edge_map(u, family);
+  const EdgeSolver<D> solver(*map, net.scale, theta);
+  const auto rest = solver.remainder(net.points, *solver.edge(net.points));
+  return weighted_product<D>(rest, rest, net.scale);
+}
+
+/// A net of one piece from a surface with an edge, with noise or without.
+struct Piece {
+  KnotList<Q> u;
+  RealNet<3> net;
+
+  Real remainder() const {
+    const EdgeFamily family{1, u.domain_begin(), u.domain_end(), false};
+    const auto start = traced_constants<3>(u, net, family);
+    EXPECT_TRUE(start);
+    return remainder_of<3>(u, net, family, *start);
+  }
+};
+
+Piece piece_with_edge(int noise, std::mt19937_64& rng) {
+  const KnotList<Q> u = knots(2, {0, 1, 2, 4});
+  const std::vector<Row4> p = winding(u.last() + 1, false, rng);
+  const auto r = linear_net<Q, Row4>(u, p, q(-7, 2), q(-9, 4), Row4(Q(1), Q(1), Q(-3), Q(7)));
+  const auto c = elevate(Spline<Q, Row4>(u, p));
+  const auto d = elevate(Spline<Q, Row4>(u, r));
+  Piece piece{c.knots, {}};
+  for (std::size_t i = 0; i < c.control.size(); ++i) {
+    for (const Row4& x : {c.control[i], d.control[i]}) {
+      Vec<Real, 3> y;
+      for (int j = 0; j < 3; ++j) {
+        y[j] = Real::from_rational(x[j + 1] + q(noise * (static_cast<int>(rng() % 2049) - 1024), 1 << 26));
+      }
+      piece.net.points.push_back(y);
+      piece.net.scale.emplace_back(1);
+    }
+  }
+  return piece;
+}
+
+/// Where there is an edge, the search starts at it.
+TEST(RepairStart, FindsAnEdgeThatIsThere) {
+  std::mt19937_64 rng(4);
+  for (int trial = 0; trial < 3; ++trial) {
+    EXPECT_LE(piece_with_edge(0, rng).remainder(), Real::from_rational(power_of_two(-300)));
+    EXPECT_GE(piece_with_edge(1, rng).remainder(), Real::from_rational(power_of_two(-60)));
+  }
+}
+
+/// A start for the coordinates in another order, for the curves in the other direction, and for the rows exchanged, is
+/// as near.
+TEST(RepairStart, IsTheSameForMirroredNets) {
+  std::mt19937_64 rng(5);
+  const Piece piece = piece_with_edge(1, rng);
+  const double expected = piece.remainder().to_double();
+  Piece turned = piece;
+  for (Vec<Real, 3>& x : turned.net.points) x = Vec<Real, 3>(x[1], x[2], x[0]);
+  EXPECT_NEAR(turned.remainder().to_double() / expected, 1, 1e-12);
+  Piece exchanged = piece;
+  for (std::size_t i = 0; i < exchanged.net.size(); i += 2)
+    std::swap(exchanged.net.points[i], exchanged.net.points[i + 1]);
+  EXPECT_NEAR(exchanged.remainder().to_double() / expected, 1, 1e-12);
+  std::vector<Q> list;
+  for (auto at = piece.u.list().rbegin(); at != piece.u.list().rend(); ++at) list.push_back(-*at);
+  Piece reversed{KnotList<Q>(piece.u.degree(), list), exchanged.net};
+  std::ranges::reverse(reversed.net.points);
+  EXPECT_NEAR(reversed.remainder().to_double() / expected, 1, 1e-12);
 }
 
 /// Over a short and a long domain and for large and small sigma. The constants take no more digits than that needs.
