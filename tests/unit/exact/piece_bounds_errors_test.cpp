@@ -90,6 +90,22 @@ TEST(PieceBoundErrors, OfTheKnotsAreErrorsOfAllFactors) {
   EXPECT_EQ(bound_of(lifted).at_begin, 0);
 }
 
+/// On the way to a Bezier point are up to 2n - 1 means with weights off by twice the error of the knots, and c' and d'
+/// are divided by one more difference of knots.
+TEST(PieceBoundErrors, OfTheKnotsCountEveryMean) {
+  for (const int n : {1, 2, 3, 5}) {
+    PlanarNet net{{}, {}, 0, error};
+    for (int i = 0; i <= n; ++i) {
+      net.abscissas.push_back(i);
+      net.rulings.push_back(1);
+    }
+    PlanarNet counted = net;
+    counted.knot_error = (2 * (2 * n - 1) + 1) * error;
+    EXPECT_GE(bound_of(net).upper, least_upper_bound(counted)) << n;
+    EXPECT_LE(bound_of(net).upper, 20 * least_upper_bound(counted)) << n;
+  }
+}
+
 /// The largest coordinates are those of the last point, or of the first.
 TEST(PieceBoundErrors, CountTheLargestOfAllPoints) {
   for (const PlanarNet& net :
