@@ -38,7 +38,7 @@ struct View {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(spread);
     right = solver.eigenvectors().col(2);
-    if (right[0] < 0) right = -right;
+    right *= std::copysign(1.0, right[0]);
     up = 0.9 * solver.eigenvectors().col(1) + 0.43 * solver.eigenvectors().col(0);
   }
 

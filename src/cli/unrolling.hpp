@@ -44,7 +44,7 @@ struct UnrollWishes {
 struct Unrolled {
   std::optional<PlateSheet> sheet{};
   std::string refusal{};
-  int code = 0;
+  int code;
 };
 
 /// Unrolls a face that is ruled. Throws FileError for one that would take too long or whose size doubles cannot carry,

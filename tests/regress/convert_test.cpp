@@ -58,6 +58,7 @@ TEST_F(Convert, TheToleranceHoldsAndIsReported) {
   for (const char* tolerance : {"1", "1/10", "1e-4"}) {
     const ProgramResult result = convert("a.obj", {"--tolerance", tolerance, "--json", "-"});
     EXPECT_EQ(result.exit, 0) << result.err;
+    EXPECT_TRUE(result.out.starts_with("{\n  \"torse\": 1,\n  \"output\"")) << result.out;
     const json face = json::parse(result.out).at("surfaces").at(0);
     EXPECT_EQ(face.at("name"), "plate");
     EXPECT_TRUE(face.at("ruled"));

@@ -74,7 +74,9 @@ class Fit : public ::testing::Test {
     options.insert(options.end(), {"--json", file("report.json")});
     const ProgramResult result = run(text, options);
     EXPECT_EQ(result.exit, 0) << result.err;
-    return json::parse(slurp(scratch / "report.json")).at("surfaces").at(0);
+    const std::string bytes = slurp(scratch / "report.json");
+    EXPECT_TRUE(bytes.starts_with("{\n  \"torse\": 1,\n  \"surfaces\": [\n    {")) << bytes.substr(0, 60);
+    return json::parse(bytes).at("surfaces").at(0);
   }
 
   RuledFile<Q> written() const { return read_ruled<Q>(Document("out.json", slurp(scratch / "out.json"))); }
@@ -344,6 +346,36 @@ TEST_F(Fit, DrawsItself) {
     std::size_t quadrangles = 0;
     for (std::size_t at = svg.find("Z\"/>"); at != std::string::npos; at = svg.find("Z\"/>", at + 1)) ++quadrangles;
     EXPECT_GT(quadrangles, 400U);
+  }
+}
+
+/// The convergence ends with the last step, a part of the time that the fit took: the same clock, in milliseconds.
+TEST_F(Fit, DrawsTheConvergenceInMilliseconds) {
+  for (const char* method : {"warp", "paper"}) {
+    const json report = this->report(strip, {"--method", method, "--coefficients", "10", "--svg", file("picture.svg")});
+    const double milliseconds = 1000 * report.at("seconds").get<double>();
+    const std::string svg = slurp(scratch / "picture.svg");
+    const std::string last = "<text x=\"920.00\" y=\"705.00\" text-anchor=\"middle\">";
+    const std::size_t at = svg.find(last, svg.find(">convergence</text>"));
+    ASSERT_NE(at, std::string::npos);
+    const double end = std::stod(svg.substr(at + last.size(), 20));
+    EXPECT_LE(end, 1.01 * milliseconds);  // three digits
+    EXPECT_GT(end, 0.05 * milliseconds);
+  }
+}
+
+/// Strips along x begin on the side of their smaller x.
+TEST_F(Fit, DrawsXToTheRight) {
+  for (const double direction : {1.0, -1.0}) {
+    json rails = json::parse(plain);
+    for (const char* rail : {"c", "d"}) {
+      for (json& xyz : rails[rail]["points"]) xyz[0] = direction * xyz[0].get<double>();
+    }
+    const ProgramResult result = run(rails.dump(), {"--method", "same", "--svg", file("picture.svg")});
+    ASSERT_EQ(result.exit, 0) << result.err;
+    const std::string svg = slurp(scratch / "picture.svg");
+    const double middle = 30 + 430.0 / 2;
+    EXPECT_GT((middle - std::stod(svg.substr(svg.find("d=\"M") + 4, 20))) * direction, 50);
   }
 }
 

@@ -69,7 +69,8 @@ TEST_F(Repair, StandardOutputTakesTheSurfaceAlone) {
 }
 
 TEST_F(Repair, ADevelopableSurfaceStaysAsItIs) {
-  const ProgramResult result = run_program({"check", file("flat.json", flat), "--repair", path("out.json"), "--json", "-"});
+  const ProgramResult result =
+      run_program({"check", file("flat.json", flat), "--repair", path("out.json"), "--json", "-"});
   EXPECT_EQ(result.exit, 0);
   const json repair = json::parse(result.out)["surfaces"][0]["repair"];
   EXPECT_EQ(repair["family"], "unchanged");
@@ -80,8 +81,8 @@ TEST_F(Repair, ADevelopableSurfaceStaysAsItIs) {
 }
 
 TEST_F(Repair, NeedsOneSurface) {
-  const ProgramResult two = run_program(
-      {"check", file("cone.json", nearly_cone), file("flat.json", flat), "--repair", path("out.json")});
+  const ProgramResult two =
+      run_program({"check", file("cone.json", nearly_cone), file("flat.json", flat), "--repair", path("out.json")});
   EXPECT_EQ(two.exit, 2);
   EXPECT_THAT(two.err, HasSubstr("expected one ruled surface, found 2"));
   EXPECT_EQ(run_program({"check", file("broken.json", "{"), "--repair", path("out.json")}).exit, 2);

@@ -128,6 +128,44 @@ TEST(StripForms, OrientedAlongTheNormal) {
   EXPECT_EQ(upward(p, negative), 1);
 }
 
+/// A point that moves along a rational segment, and its velocity.
+std::array<Point, 2> moving(const Rows& rows, double t) {
+  std::array<double, 4> at{}, by{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double from = rows[0][static_cast<int>(j)].to_double(), to = rows[1][static_cast<int>(j)].to_double();
+    at[j] = from + t * (to - from);
+    by[j] = to - from;
+  }
+  std::array<Point, 2> result;
+  for (std::size_t j = 0; j < 3; ++j) {
+    result[0][j] = at[j + 1] / at[0];
+    result[1][j] = (by[j + 1] - result[0][j] * by[0]) / at[0];
+  }
+  return result;
+}
+
+/// On a warped rational strip: that of the middle of the ruling, (C' + D') x (D - C).
+TEST(StripForms, TheNormalIsThatOfTheMiddleOfTheRuling) {
+  const Rows p{{Q(1), Q(0), Q(0), Q(0)}, {Q(2), Q(6), Q(1), Q(0)}};
+  const Rows q{{Q(3), Q(1), Q(9), Q(2)}, {Q(1), Q(4), Q(3), Q(5)}};
+  const StripForms<Q> forms = one_piece(p, q);
+  for (int i = 0; i <= 4; ++i) {
+    const auto [c, c_speed] = moving(p, i / 4.0);
+    const auto [d, d_speed] = moving(q, i / 4.0);
+    Point across, speed, normal;
+    for (std::size_t j = 0; j < 3; ++j) {
+      across[j] = d[j] - c[j];
+      speed[j] = c_speed[j] + d_speed[j];
+      normal[j] = forms.normal[j](ratio<Q>(i, 4)).to_double();
+    }
+    const double size = std::hypot(normal[0], normal[1], normal[2]);
+    EXPECT_GT(size, 1);
+    for (const Point& tangent : {across, speed}) {
+      EXPECT_NEAR((normal[0] * tangent[0] + normal[1] * tangent[1] + normal[2] * tangent[2]) / size, 0, 1e-13);
+    }
+  }
+}
+
 TEST(StripForms, WhereThereIsNoSurface) {
   const Rows p = polynomial_rows({{0, 0, 0}, {1, 0, 0}});
   const Rows q = polynomial_rows({{2, 0, 0}, {5, 0, 0}});
