@@ -184,6 +184,23 @@ TEST_F(Step, AFaceThatCoversAPartOfItsSurfaceIsThatPart) {
   for (const Vec<Rational, 3>& x : ruled.d.points) EXPECT_EQ(x[2], x[0] * x[1] / Rational(4));
 }
 
+/// A shape that no product claims is no root of the file, and its face is cut all the same.
+TEST_F(Step, AFaceWithoutAProductIsCutToo) {
+  StepText step;
+  const std::string surface = step.spline("", 1, 1, {{"0.,0.,0.", "0.,4.,0."}, {"4.,0.,0.", "4.,4.,4."}}, unit_knots);
+  std::string text =
+      step.file({step.face("part", surface, {"1.,0.5,0.125", "3.5,0.5,0.4375", "3.5,3.,2.625", "1.,3.,0.75"})}, true);
+  const std::size_t at = text.rfind('#', text.find("=SHAPE_DEFINITION_REPRESENTATION"));
+  text.erase(at, text.find('\n', at) + 1 - at);
+  ASSERT_EQ(text.find("SHAPE_DEFINITION"), std::string::npos);
+  const auto part = faces(text);
+  ASSERT_EQ(part.size(), 1U);
+  EXPECT_TRUE(part[0].cad->trimmed);
+  ASSERT_TRUE(part[0].surface);
+  EXPECT_NEAR(part[0].surface->c.points[0][0].to_double(), 1, 1e-6);
+  EXPECT_NEAR(part[0].surface->d.points[1][2].to_double(), 2.625, 1e-6);
+}
+
 TEST_F(Step, AFaceThatCoversItsSurfaceIsTheWholeOfIt) {
   StepText step;
   const std::string surface = step.spline("", 1, 1, {{"0.,0.,0.", "0.,4.,0."}, {"4.,0.,0.", "4.,4.,4."}}, unit_knots);
