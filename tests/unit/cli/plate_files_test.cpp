@@ -1,98 +1,162 @@
-// Drawings of a plate: a strip of 6 by 2 whose rulings are upright, with a bend of 5 degrees at the second one inside.
-#include "torse/cli/plate_files.hpp"
-
-#include <gmock/gmock.h>
+// Drawings of a plate made by hand: every group code of the DXF, the groups of the SVG, the places of the words.
 #include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "torse/cli/plate_files.hpp"
 
 namespace torse::cli {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::Not;
-
+/// 800 x 64 with four rulings along y, bent at the third.
 PlateSheet sheet() {
-  PlateSheet made{};
-  made.face.name = "hull";
-  made.unit = millimetres();
-  Plate& plate = made.plate;
-  for (const double x : {0.0, 2.0, 4.0, 6.0}) {
+  PlateSheet sheet{};
+  Plate& plate = sheet.plate;
+  for (const double x : {0.0, 200.0, 400.0, 800.0}) {
+    const std::size_t vertex = plate.rulings.size();
     plate.c.points.push_back({x, 0});
-    plate.d.points.push_back({x, 2});
+    plate.d.points.push_back({x, 64});
+    plate.rulings.push_back({ratio<Rational>(static_cast<int>(vertex), 3), vertex, Interval::point(64), 0});
   }
-  plate.c.before = plate.c.after = plate.d.before = plate.d.after = Interval(6);
-  for (std::size_t i = 0; i < 4; ++i) plate.rulings.push_back({Rational(0), i, Interval(2), 0, i == 2 ? 5.0 : 0.0});
-  plate.width = 6;
-  plate.height = 2;
-  plate.area_before = plate.area_after = Interval(12);
-  plate.overlap.verdict = Truth::no;
-  return made;
+  plate.rulings[2].bend = 36.87;
+  for (PlateRail* rail : {&plate.c, &plate.d}) {
+    rail->before = rail->after = Interval::point(800);
+    rail->deviation = {0, 0, 0};
+    rail->error = rail == &plate.c ? 0.5 : 0.25;
+  }
+  plate.width = 800;
+  plate.height = 64;
+  plate.deviation = 0.001;
+  plate.area_after = Interval::point(800 * 64);  // letters of height 64 / 8
+  sheet.face.name = "band & é →";
+  sheet.unit = millimetres();
+  return sheet;
 }
 
-TEST(PlateFiles, LettersRunAlongTheirRulings) {
-  const PlateSheet drawn = sheet();
-  const double height = letter_height(drawn.plate);
-  EXPECT_EQ(height, 6.0 / 80);
-  const std::vector<Lettering> lines = letterings(drawn);
-  EXPECT_EQ(lines[1].text, "R1  L 2");
-  EXPECT_EQ(lines[2].text, "R2  L 2  bend +5 deg");
-  EXPECT_EQ(lines[1].angle, 90);
-  EXPECT_NEAR(lines[1].at.x, 2 - 0.4 * height, 1e-15);
-  EXPECT_NEAR(lines[1].at.y, 0.16, 1e-15);
-  EXPECT_EQ(lines[4].text, "C  L 6");
-  EXPECT_NEAR(lines[4].at.y, -1.4 * height, 1e-15);
-  EXPECT_EQ(lines[5].text, "D  L 6");
-  EXPECT_NEAR(lines[5].at.y, 2 + 0.4 * height, 1e-15);
+void expect_at(const Lettering& found, double x, double y, double angle, const std::string& text) {
+  EXPECT_NEAR(found.at.x, x, 1e-12) << text;
+  EXPECT_NEAR(found.at.y, y, 1e-12) << text;
+  EXPECT_NEAR(found.angle, angle, 1e-12) << text;
+  EXPECT_EQ(found.text, text);
 }
 
-TEST(PlateFiles, RulingsThatRunDownAreReadFromBelow) {
-  PlateSheet drawn = sheet();
-  std::swap(drawn.plate.c, drawn.plate.d);
-  const Lettering line = letterings(drawn)[1];
-  EXPECT_EQ(line.angle, 90);
-  EXPECT_NEAR(line.at.y, 0.16, 1e-15);
+/// Words along a ruling begin after 0.08 of it, 0.4 letters away from it.
+TEST(Letterings, AlongRulingsRailsAndBelow) {
+  const std::vector<Lettering> list = letterings(sheet());
+  ASSERT_EQ(list.size(), 8U);
+  const double y = 0.08 * 64;
+  expect_at(list[0], -3.2, y, 90, "R0  L 64");
+  expect_at(list[1], 196.8, y, 90, "R1  L 64");
+  expect_at(list[2], 396.8, y, 90, "R2  L 64  bend +36.87 deg");
+  expect_at(list[3], 796.8, y, 90, "R3  L 64");
+  expect_at(list[4], 200, -1.4 * 8, 0, "C  L 800");
+  expect_at(list[5], 200, 64 + 0.4 * 8, 0, "D  L 800");
+  expect_at(list[6], 0, -40, 0, "band & é →: 800 x 64 mm, seen from the side of the normal");
+  expect_at(list[7], 0, -52, 0, "outline within 0.001 mm; length of C within 0.5, of D within 0.25");
 }
 
-TEST(PlateFiles, SvgHasBentRulingsInAGroupOfTheirOwn) {
+/// The ruling from (0, 0) to each of these points, with C and D on either side.
+TEST(Letterings, AreUpright) {
+  const auto angle = [](double x, double y) {
+    PlateSheet turned = sheet();
+    turned.plate.d.points[0] = {x, y};
+    return letterings(turned)[0].angle;
+  };
+  EXPECT_NEAR(angle(0, 64), 90, 1e-12);
+  EXPECT_NEAR(angle(0, -64), 90, 1e-12);
+  EXPECT_NEAR(angle(64, 64), 45, 1e-12);
+  EXPECT_NEAR(angle(64, -64), -45, 1e-12);
+  EXPECT_NEAR(angle(-64, 64), -45, 1e-12);
+  EXPECT_NEAR(angle(-64, -64), 45, 1e-12);
+}
+
+TEST(Letterings, SayWhatIsWrong) {
+  PlateSheet bad = sheet();
+  bad.mirrored = true;
+  bad.plate.overlap.verdict = Truth::yes;
+  std::vector<Lettering> list = letterings(bad);
+  ASSERT_EQ(list.size(), 9U);
+  EXPECT_TRUE(list[6].text.ends_with("seen from the side opposite to the normal"));
+  expect_at(list[8], 0, -64, 0, "OVERLAPS ITSELF: cannot be cut from one sheet");
+  bad.plate.overlap.verdict = Truth::unknown;
+  EXPECT_EQ(letterings(bad).back().text, "THE OUTLINE TOUCHES ITSELF, or nearly so");
+}
+
+TEST(Letterings, CanBeReadAndFitTheRulings) {
+  Plate plate = sheet().plate;
+  EXPECT_EQ(letter_height(plate), 8);
+  plate.area_after = Interval::point(800 * 1000);
+  EXPECT_EQ(letter_height(plate), 10);
+  plate.area_after = Interval::point(800);
+  EXPECT_EQ(letter_height(plate), 2);
+}
+
+/// What a group of the drawing holds.
+std::string svg_group(const std::string& svg, const std::string& id) {
+  const std::size_t begin = svg.find('\n', svg.find("<g id=\"" + id + "\"")) + 1;
+  return svg.substr(begin, svg.find("  </g>", begin) - begin);
+}
+
+TEST(PlateSvg, Groups) {
   const std::string svg = plate_svg(sheet());
-  EXPECT_THAT(svg, HasSubstr("<g id=\"rulings\" stroke=\"blue\">\n   <line id=\"R1\" x1=\"2\" y1=\"0\" x2=\"2\" "
-                             "y2=\"2\"/>\n  </g>\n  <g id=\"bends\" stroke=\"red\">\n   <line id=\"R2\" x1=\"4\" "
-                             "y1=\"0\" x2=\"4\" y2=\"2\"/>\n  </g>"));
-  EXPECT_THAT(svg, HasSubstr("<path d=\"M0,0 2,0 4,0 6,0 6,2 4,2 2,2 0,2 Z\"/>"));
+  EXPECT_EQ(svg_group(svg, "cut"), "   <path d=\"M0,0 200,0 400,0 800,0 800,64 400,64 200,64 0,64 Z\"/>\n");
+  EXPECT_EQ(svg_group(svg, "rulings"), "   <line id=\"R1\" x1=\"200\" y1=\"0\" x2=\"200\" y2=\"64\"/>\n");
+  EXPECT_EQ(svg_group(svg, "bends"), "   <line id=\"R2\" x1=\"400\" y1=\"0\" x2=\"400\" y2=\"64\"/>\n");
+  const std::string words = svg_group(svg, "text");
+  EXPECT_NE(words.find("rotate(0) scale(0.8 -0.8)\">C  L 800</text>"), std::string::npos) << words;
+  EXPECT_NE(svg.find(" width=\"960mm\" height=\"224mm\" viewBox=\"-80 -144 960 224\">"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("<title>band &amp; é →</title>"), std::string::npos);
 }
 
-/// Group codes and values by the reference of Release 12: a plain line type, four layers, one closed polyline.
-TEST(PlateFiles, DxfIsReleaseTwelve) {
-  const std::string dxf = plate_dxf(sheet());
-  EXPECT_THAT(dxf, HasSubstr("999\ntorse unroll, 1 drawing unit = 1 mm\n  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\n"
-                             "AC1009\n  9\n$EXTMIN\n 10\n0\n 20\n0\n 30\n0\n  9\n$EXTMAX\n 10\n6\n 20\n2\n 30\n0\n  0\n"
-                             "ENDSEC\n  0\nSECTION\n  2\nTABLES\n  0\nTABLE\n  2\nLTYPE\n 70\n1\n  0\nLTYPE\n  2\n"
-                             "CONTINUOUS\n 70\n0\n  3\nSolid line\n 72\n65\n 73\n0\n 40\n0\n  0\nENDTAB\n  0\nTABLE\n"
-                             "  2\nLAYER\n 70\n4\n  0\nLAYER\n  2\nCUT\n 70\n0\n 62\n7\n  6\nCONTINUOUS\n"));
-  for (const char* layer : {"RULINGS\n 70\n0\n 62\n5\n", "BENDS\n 70\n0\n 62\n1\n", "TEXT\n 70\n0\n 62\n3\n"})
-    EXPECT_THAT(dxf, HasSubstr(std::string("  0\nLAYER\n  2\n") + layer + "  6\nCONTINUOUS\n"));
-  EXPECT_THAT(dxf, HasSubstr("  2\nENTITIES\n  0\nPOLYLINE\n  8\nCUT\n 66\n1\n 10\n0\n 20\n0\n 30\n0\n 70\n1\n  0\n"
-                             "VERTEX\n  8\nCUT\n 10\n0\n 20\n0\n 30\n0\n  0\nVERTEX\n  8\nCUT\n 10\n2\n 20\n0\n"));
-  EXPECT_THAT(dxf, HasSubstr("  0\nLINE\n  8\nRULINGS\n 10\n2\n 20\n0\n 30\n0\n 11\n2\n 21\n2\n 31\n0\n  0\nLINE\n  8\n"
-                             "BENDS\n 10\n4\n 20\n0\n 30\n0\n 11\n4\n 21\n2\n 31\n0\n  0\nTEXT\n"));
-  EXPECT_THAT(dxf, ::testing::EndsWith("  0\nENDSEC\n  0\nEOF\n"));
+TEST(PlateSvg, SizesInUnitsThatSvgDoesNotKnow) {
+  PlateSheet large = sheet();
+  large.unit = read_unit("m");
+  EXPECT_NE(plate_svg(large).find(" width=\"960000mm\" height=\"224000mm\" viewBox=\"-80 -144 960 224\">"),
+            std::string::npos);
 }
 
-/// Release 12 has no letters beyond ASCII: each becomes one question mark.
-TEST(PlateFiles, DxfIsAscii) {
-  PlateSheet drawn = sheet();
-  drawn.face.name = "Bu\u00F1a \u2192 end";
-  EXPECT_THAT(plate_dxf(drawn), HasSubstr("  1\nBu?a ? end: 6 x 2 mm, seen from the side of the normal\n"));
-  drawn.mirrored = true;
-  EXPECT_THAT(plate_dxf(drawn), HasSubstr("seen from the side opposite to the normal\n"));
+/// Codes and values with a blank between them, a bar behind each pair.
+std::string pairs(const std::string& dxf) {
+  std::string text;
+  bool code = true;
+  for (const char c : dxf) {
+    if (c == ' ' && code) continue;
+    text += c != '\n' ? c : code ? ' ' : '|';
+    if (c == '\n') code = !code;
+  }
+  return text;
 }
 
-TEST(PlateFiles, NotesSayWhatTheOutlineDoes) {
-  PlateSheet drawn = sheet();
-  EXPECT_THAT(plate_svg(drawn), Not(HasSubstr("THE OUTLINE")));
-  drawn.plate.overlap.verdict = Truth::unknown;
-  EXPECT_THAT(plate_svg(drawn), HasSubstr("THE OUTLINE TOUCHES ITSELF"));
-  drawn.plate.overlap.verdict = Truth::yes;
-  EXPECT_THAT(plate_svg(drawn), HasSubstr("OVERLAPS ITSELF"));
+TEST(PlateDxf, EveryGroup) {
+  const std::string text = pairs(plate_dxf(sheet()));
+  const std::string start =
+      "999 torse unroll, 1 drawing unit = 1 mm|0 SECTION|2 HEADER|9 $ACADVER|1 AC1009|9 $EXTMIN|10 0|20 0|30 0|"
+      "9 $EXTMAX|10 800|20 64|30 0|0 ENDSEC|0 SECTION|2 TABLES|0 TABLE|2 LTYPE|70 1|0 LTYPE|2 CONTINUOUS|70 0|"
+      "3 Solid line|72 65|73 0|40 0|0 ENDTAB|0 TABLE|2 LAYER|70 4|0 LAYER|2 CUT|70 0|62 7|6 CONTINUOUS|"
+      "0 LAYER|2 RULINGS|70 0|62 5|6 CONTINUOUS|0 LAYER|2 BENDS|70 0|62 1|6 CONTINUOUS|"
+      "0 LAYER|2 TEXT|70 0|62 3|6 CONTINUOUS|0 ENDTAB|0 ENDSEC|0 SECTION|2 ENTITIES|"
+      "0 POLYLINE|8 CUT|66 1|10 0|20 0|30 0|70 1|";
+  std::string corners;
+  for (const char* corner : {"10 0|20 0", "10 200|20 0", "10 400|20 0", "10 800|20 0", "10 800|20 64", "10 400|20 64",
+                             "10 200|20 64", "10 0|20 64"}) {
+    corners += std::string("0 VERTEX|8 CUT|") + corner + "|30 0|";
+  }
+  const std::string lines =
+      "0 SEQEND|8 CUT|0 LINE|8 RULINGS|10 200|20 0|30 0|11 200|21 64|31 0|"
+      "0 LINE|8 BENDS|10 400|20 0|30 0|11 400|21 64|31 0|";
+  EXPECT_EQ(text.substr(0, text.find("0 TEXT|8 TEXT")), start + corners + lines);
+  EXPECT_NE(text.find("|0 TEXT|8 TEXT|10 0|20 -40|30 0|40 8|1 band & ? ?: 800 x 64 mm, "), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with("|50 0|0 ENDSEC|0 EOF|"));
+}
+
+TEST(PlateDxf, EqualCornersAreOne) {
+  PlateSheet cone = sheet();
+  for (PlatePoint& p : cone.plate.c.points) p = {0, 0};
+  const std::string text = pairs(plate_dxf(cone));
+  std::size_t count = 0;
+  for (std::size_t at = text.find("0 VERTEX"); at != std::string::npos; at = text.find("0 VERTEX", at + 1)) ++count;
+  EXPECT_EQ(count, 5U);
 }
 
 }  // namespace
