@@ -91,6 +91,11 @@ TEST(Ball, IntervalContainsItsEnds) {
   EXPECT_THROW(Ball<30>::interval(1, 0), InvalidInput);
   EXPECT_THROW(Ball<30>::interval(0, std::numeric_limits<double>::infinity()), InvalidInput);
   EXPECT_THROW(Ball<30>::interval(std::nan(""), 1), InvalidInput);
+  try {
+    Ball<30>::interval(1, 0);
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place(), "interval");
+  }
 }
 
 TEST(Ball, DivisionByABallAroundZeroIsNotFiniteAndDecidesNothing) {

@@ -29,6 +29,18 @@ std::size_t last_vertex(const KnotList<Q>& u) {
   return static_cast<std::size_t>(u.proper_pieces().back() + u.degree() - 1);
 }
 
+TEST(IntegerKnots, BeginAtZeroWithoutACommonFactor) {
+  const auto values_of = [](const std::vector<Rational>& u) {
+    std::vector<Integer> found = integer_knots(u);
+    std::vector<long> values;
+    for (Integer& x : found) values.push_back(mpz_get_si(x.get()));
+    return values;
+  };
+  EXPECT_EQ(values_of({Q(1) / Q(2), Q(5) / Q(2), Q(13) / Q(2)}), (std::vector<long>{0, 1, 3}));
+  EXPECT_EQ(values_of({Q(-6), Q(-6), Q(0), Q(4)}), (std::vector<long>{0, 0, 3, 5}));
+  EXPECT_EQ(values_of({Q(1) / Q(3), Q(1) / Q(2), Q(1)}), (std::vector<long>{0, 1, 4}));
+}
+
 TEST(RelationProver, ProvesLinearNets) {
   for (const KnotList<Q>& u : knot_lists()) {
     const std::vector<Point3> c = points(u.last() + 1);

@@ -118,6 +118,15 @@ TEST(Simplify, WhereNothingIsNearEnoughTheSurfaceItself) {
   EXPECT_EQ(found.distance, 0);
 }
 
+TEST(Simplify, WhatComesOutExactlyHasNoDistance) {
+  const ExactSurface bilinear(bezier_knots<Q>(1), {P(Q(0), Q(0), Q(0)), P(Q(3), Q(1), Q(0))},
+                              {P(Q(0), Q(2), Q(1)), P(Q(4), Q(2), Q(5))});
+  const std::optional<SimplifiedSurface> found = with_fewest_knots(bilinear, 1, Q(1));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->surface.c, bilinear.c);
+  EXPECT_EQ(found->distance, 0);
+}
+
 TEST(Simplify, RefusesWhatIsNoQuestion) {
   const ExactSurface surface = result(0);
   EXPECT_THROW(with_fewest_knots(surface, 0, Q(1)), InvalidInput);
