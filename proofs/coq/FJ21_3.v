@@ -201,7 +201,7 @@ by rewrite eq_sym mulf_eq0 oppr_eq0 tofrac_eq0 (negPf nz') => /eqP.
 Qed.
 
 (** FJ21.C3.1 degree: that determinant has degree at most $4(n-1)$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: $n>0$; the knots carry the piece: where two of them meet that must not, the rows have no meaning, though with $x/0=0$ the bound would hold. *)
 Theorem FJ21_C3_1_degree n u c d a b : (0 < n)%N -> span n u ->
   (size (\det (rows4 (last_point n u c a) (last_point n u c b) (last_point n u d a) (last_point n u d b)))%R <= (4 * (n - 1)).+1)%N.
 Proof.

@@ -65,7 +65,8 @@ Implicit Types (u : nat -> F) (n N k : nat) (L M s : K).
 
 (** FJ21.T3.2 pieces: on every piece of a spline that is not empty there are rational $\Lambda_k,M_k,\sigma_k\ne0$ with
     $p[t^{\langle n-1\rangle},\Lambda_k]=\sigma_kq[t^{\langle n-1\rangle},M_k]$ iff on every such piece $p$ is a combination of $p',q,q'$ and $q$ one of $q',p,p'$.
-    Hypotheses: $n\ne0$ in the field.
+    Hypotheses: $n\ne0$ in the field: where $n=0$, so that $p'=q'=0$, $p+\frac{\Lambda-t}np'$ has no meaning; with $x/0=0$
+    it would be $p$, and both sides would say $p=\sigma_kq$, $\sigma_k\ne0$.
     Paper: asks for one triple of functions on the whole spline. *)
 Theorem FJ21_T3_2_pieces m n N u (c d : nat -> 'rV[F]_m) (p := fun k => pcurve n (drop_ k u) (drop_ k c)) (q := fun k => pcurve n (drop_ k u) (drop_ k d)) :
   n%:R != 0 :> F ->

@@ -25,15 +25,18 @@ move: (p 0 k).[t] (q 0 k).[t] (p 0 k)^`().[t] (q 0 k)^`().[t] n%:R n0 => P Q P' 
 by apply: (by_multiple (z := N / (L - t + s * (t - M))) eq_P); field; rewrite n0 e0.
 Qed.
 
-(** FJ21.6.1 degree: for constant $\Lambda,M$ and $\sigma=1$ the edge $r=(1-v)p+vq$, $v=(t-M)/(\Lambda-M)$, is a curve of degree $n+1$.
-    Hypotheses: $p$, $q$ have degree $n$. *)
-Theorem FJ21_6_1_degree n p q L M (v := (L - M)^-1 *: ('X - M%:P) : {poly F}) k :
-  (size (p 0%R k) <= n.+1)%N -> (size (q 0%R k) <= n.+1)%N -> (size ((1 - v) * p 0 k + v * q 0 k)%R <= n.+2)%N.
+(** FJ21.6.1 degree: for constant $\Lambda\ne M$ and $\sigma=1$ the edge $r=(1-v)p+vq$, $v=\frac{t-M}{\Lambda-M}$, is a curve of degree $n+1$:
+    $(\Lambda-M)r=(\Lambda-t)p+(t-M)q$.
+    Hypotheses: $\Lambda\ne M$; $p$, $q$ have degree $n$. *)
+Theorem FJ21_6_1_degree n p q r L M k : L != M -> (L - M)%:P *: r = (L%:P - 'X) *: p + ('X - M%:P) *: q ->
+  (size (p 0%R k) <= n.+1)%N -> (size (q 0%R k) <= n.+1)%N -> (size (r 0%R k) <= n.+2)%N.
 Proof.
-move=> sp sq.
-have sv : (size v <= 2)%N by rewrite /v (leq_trans (size_scale_leq _ _)) // size_XsubC.
-have s1 : (size (1 - v)%R <= 2)%N by rewrite (leq_trans (size_add _ _)) // geq_max size_opp sv (leq_trans (size_polyC_leq1 1)).
-by rewrite (leq_trans (size_add _ _)) // geq_max; apply/andP; split; rewrite (leq_trans (size_mul_leq _ _)) //; lia.
+move=> ne /rowP/(_ k); rewrite !mxE mul_polyC => e sp sq.
+rewrite -(@size_scale _ (L - M)) ?subr_eq0 // e.
+have lin (f g : {poly F}) : (size f <= 2)%N -> (size g <= n.+1)%N -> (size (f * g)%R <= n.+2)%N.
+  by move=> sf sg; apply: leq_trans (size_mul_leq _ _) _; move: (size f) (size g) sf sg => x y; lia.
+rewrite (leq_trans (size_add _ _)) // geq_max; apply/andP; split; apply: lin => //; last by rewrite size_XsubC.
+by rewrite -[L%:P - 'X]opprB size_opp size_XsubC.
 Qed.
 
 (** FJ21.T6.1 tangent: for any curve $r$ the rows $p=r+\frac{M-t}{n+1}r'$, $q=r+\frac{\Lambda-t}{n+1}r'$ obey
