@@ -14,7 +14,7 @@ struct CoqTheorem {
 };
 
 // clang-format off
-inline constexpr std::array<CoqTheorem, 465> coq_theorems{
+inline constexpr std::array<CoqTheorem, 483> coq_theorems{
     CoqTheorem{"FJ07.1", "FJ07_1_curvature"},
     CoqTheorem{"FJ07.2", "FJ07_2_ruling"},
     CoqTheorem{"FJ07.3", "FJ07_3_normals"},
@@ -162,6 +162,13 @@ inline constexpr std::array<CoqTheorem, 465> coq_theorems{
     CoqTheorem{"FJ07.20", "FJ07_20_first_knot"},
     CoqTheorem{"FJ07.20", "FJ07_20_last_knot"},
     CoqTheorem{"FJ07.20", "FJ07_20_end_roots"},
+    CoqTheorem{"FJ07.20", "FJ07_20_first_knot_needs_width"},
+    CoqTheorem{"FJ07.20", "FJ07_20_last_knot_needs_width"},
+    CoqTheorem{"FJ07.20", "FJ07_20_end_roots_needs_simple"},
+    CoqTheorem{"FJ07.20", "FJ07_20_meeting_needs_meeting"},
+    CoqTheorem{"FJ07.20", "FJ07_20_finite_needs_skew"},
+    CoqTheorem{"FJ07.20", "FJ07_20_odd_needs_skew"},
+    CoqTheorem{"FJ07.20", "FJ07_20_parallel_needs_distinct"},
     CoqTheorem{"FJ07.21", "FJ07_21_coordinates"},
     CoqTheorem{"FJ07.21", "FJ07_21_program"},
     CoqTheorem{"FJ07.21", "FJ07_21_parallel"},
@@ -179,6 +186,14 @@ inline constexpr std::array<CoqTheorem, 465> coq_theorems{
     CoqTheorem{"FJ07.21", "FJ07_21_needs_skew"},
     CoqTheorem{"FJ07.21", "FJ07_21_first_knot"},
     CoqTheorem{"FJ07.21", "FJ07_21_last_knot"},
+    CoqTheorem{"FJ07.21", "FJ07_21_first_knot_needs_off"},
+    CoqTheorem{"FJ07.21", "FJ07_21_last_knot_needs_off"},
+    CoqTheorem{"FJ07.21", "FJ07_21_first_knot_needs_distinct"},
+    CoqTheorem{"FJ07.21", "FJ07_21_coefficients_needs_independent"},
+    CoqTheorem{"FJ07.21", "FJ07_21_coefficients_needs_plane"},
+    CoqTheorem{"FJ07.21", "FJ07_21_independent_needs_independent"},
+    CoqTheorem{"FJ07.21", "FJ07_21_norm_needs_order"},
+    CoqTheorem{"FJ07.21", "FJ07_21_unique_needs_independent"},
     CoqTheorem{"FJ07.C1", "FJ07_C1_blossoms"},
     CoqTheorem{"FJ07.C1", "FJ07_C1_cells"},
     CoqTheorem{"FJ07.C1", "FJ07_C1_needs_same"},
@@ -424,6 +439,9 @@ inline constexpr std::array<CoqTheorem, 465> coq_theorems{
     CoqTheorem{"ZW06.G", "ZW06_G_square_exists"},
     CoqTheorem{"ZW06.G", "ZW06_G_needs_factor"},
     CoqTheorem{"ZW06.G", "ZW06_G_needs_factorial"},
+    CoqTheorem{"ZW06.G.unique", "ZW06_G_unique_recursion"},
+    CoqTheorem{"ZW06.G.unique", "ZW06_G_unique_determinant"},
+    CoqTheorem{"ZW06.G.unique", "ZW06_G_unique_exactly"},
     CoqTheorem{"BZZ19.3", "BZZ19_3_value"},
     CoqTheorem{"BZZ19.3", "BZZ19_3_coefficients"},
     CoqTheorem{"BZZ19.3", "BZZ19_3_basis"},

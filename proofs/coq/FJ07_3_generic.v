@@ -189,7 +189,7 @@ Implicit Types (u : nat -> F) (c d : nat -> 'rV[F]_3) (n : nat) (L M : F).
 Theorem FJ07_T1_straight n u L M c d lam : span n u -> (0 < n)%N -> lam != 0 -> related u n L M c d ->
   pcurve n u d = pcurve n u c + lam *: pderiv (pcurve n u c) -> cross (pderiv (pderiv (pcurve n u c))) (pderiv (pcurve n u c)) = 0.
 Proof.
-move=> sp n0 l0 rel eq_d; have := congr1 (fun p => p *+ n) (FJ07_9_curve n0 sp rel).
+move=> sp n0 l0 rel eq_d; have := congr1 (fun p => p *+ n) (FJ07_9_curve n0 rel).
 rewrite !mulrnDl !scalerMnr -!pderiv_curve // eq_d.
 move: (pcurve n u c) => C; rewrite (_ : pderiv (C + lam *: pderiv C) = (1 + lam^`()) *: pderiv C + lam *: pderiv (pderiv C)); last first.
   by apply/rowP=> k; rewrite !mxE derivD derivM; move: (C 0 k)^`() => x; ring.
