@@ -14,7 +14,7 @@ struct CoqTheorem {
 };
 
 // clang-format off
-inline constexpr std::array<CoqTheorem, 483> coq_theorems{
+inline constexpr std::array<CoqTheorem, 491> coq_theorems{
     CoqTheorem{"FJ07.1", "FJ07_1_curvature"},
     CoqTheorem{"FJ07.2", "FJ07_2_ruling"},
     CoqTheorem{"FJ07.3", "FJ07_3_normals"},
@@ -40,12 +40,14 @@ inline constexpr std::array<CoqTheorem, 483> coq_theorems{
     CoqTheorem{"FJ07.6", "FJ07_6_developable"},
     CoqTheorem{"FJ07.6", "FJ07_6_needs_k"},
     CoqTheorem{"FJ07.6", "FJ07_6_needs_scale"},
+    CoqTheorem{"FJ07.6", "FJ07_6_unique_needs_alpha"},
     CoqTheorem{"FJ07.7", "FJ07_7_developable"},
     CoqTheorem{"FJ07.7", "FJ07_7_edge"},
     CoqTheorem{"FJ07.7", "FJ07_7_net"},
     CoqTheorem{"FJ07.7", "FJ07_7_scaled"},
     CoqTheorem{"FJ07.7", "FJ07_7_interval"},
     CoqTheorem{"FJ07.7", "FJ07_7_unique"},
+    CoqTheorem{"FJ07.7", "FJ07_7_unique_needs_binomials"},
     CoqTheorem{"FJ07.8", "FJ07_8_quadratic"},
     CoqTheorem{"FJ07.9", "FJ07_9_curve"},
     CoqTheorem{"FJ07.9", "FJ07_9_points"},
@@ -97,6 +99,8 @@ inline constexpr std::array<CoqTheorem, 483> coq_theorems{
     CoqTheorem{"FJ07.13", "FJ07_13_smooth"},
     CoqTheorem{"FJ07.13", "FJ07_13_smooth_needs_distinct"},
     CoqTheorem{"FJ07.13", "FJ07_13_needs_distinct"},
+    CoqTheorem{"FJ07.13", "FJ07_13_smooth_needs_knot"},
+    CoqTheorem{"FJ07.13", "FJ07_13_parameters_needs_width"},
     CoqTheorem{"FJ07.13.rulings", "FJ07_13_rulings_vertex"},
     CoqTheorem{"FJ07.14", "FJ07_14_closed"},
     CoqTheorem{"FJ07.14", "FJ07_14_products"},
@@ -231,6 +235,7 @@ inline constexpr std::array<CoqTheorem, 483> coq_theorems{
     CoqTheorem{"FJ07.T1", "FJ07_T1_needs_distinct"},
     CoqTheorem{"FJ07.T1", "FJ07_T1_needs_span"},
     CoqTheorem{"FJ07.T1", "FJ07_T1_developable_needs_span"},
+    CoqTheorem{"FJ07.T1", "FJ07_T1_straight_needs_length"},
     CoqTheorem{"FJ21.2.1", "FJ21_2_1_ruling"},
     CoqTheorem{"FJ21.2.1", "FJ21_2_1_plane"},
     CoqTheorem{"FJ21.2.1", "FJ21_2_1_determinant"},
@@ -372,6 +377,9 @@ inline constexpr std::array<CoqTheorem, 483> coq_theorems{
     CoqTheorem{"FJ21.T6.1", "FJ21_T6_1_edge_needs_distinct"},
     CoqTheorem{"FJ21.T6.1", "FJ21_T6_1_degree_needs_next"},
     CoqTheorem{"FJ21.T6.1", "FJ21_T6_1_infinity_needs_factorial"},
+    CoqTheorem{"FJ21.T6.1", "FJ21_T6_1_full_needs_distinct"},
+    CoqTheorem{"FJ21.T6.1", "FJ21_T6_1_subspace_needs_distinct"},
+    CoqTheorem{"FJ21.T6.1", "FJ21_T6_1_no_cone_needs_point"},
     CoqTheorem{"FJ21.T6.1.cone", "FJ21_T6_1_cone_equivalence"},
     CoqTheorem{"FJ21.T6.1.cone", "FJ21_T6_1_cone_vertex"},
     CoqTheorem{"FJ21.T6.1.cone", "FJ21_T6_1_cone_needs_degree"},

@@ -1,0 +1,58 @@
+(* FJ07, sections 2 and 3, Theorem 1 and the cones: what happens without the hypotheses, one counterexample each, over any field. *)
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Torse Require Import Blossom Curves Points Bernstein Bezier FJ07_2 FJ07_2_tangent FJ07_3_net FJ07_3_blossoms FJ07_2_cones
+  FJ07_3_vertices Needs_blossoms Needs_FJ07.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Needs.
+Variable F : fieldType.
+Implicit Types (u : nat -> F) (L M t v k al : F) (n i K : nat).
+
+(** FJ07.13 smooth_needs_knot: for $M^{*}=2$, not the inner knot 1 of the knots $0,1,2$, $n=1$, and $\Lambda^{*}=0$ the bent polygon $0,0,1$ has the net $0,0,-1$.
+    Hypotheses: $2\ne0$ in the field, so that the knots carry their pieces. *)
+Theorem FJ07_13_smooth_needs_knot (u := fun i : nat => i%:R : F) (c := @on_line F [:: 0; 0; 1]) (d := on_line [:: 0; 0; -1]) :
+  2%:R != 0 :> F ->
+  [/\ 0 != 2%:R :> F, 2%:R != u 1%N, forall i, (i < 2)%N -> cell u 1 0 2%:R c d i &
+      pblossom (drop_ 0 u) (drop_ 0 c) [:: at_ 2%:R] <> pblossom (drop_ 1 u) (drop_ 1 c) [:: at_ 2%:R]].
+Proof.
+move=> n2; split; first by rewrite eq_sym.
+- by rewrite /u -subr_eq0 mulr2n addrK oner_eq0.
+- by case=> [|[|//]] _; rewrite /cell line1 !mxE /u /=; ring.
+move/rowP/(_ 0); rewrite !mxE /= /step /drop_ /u /coord /on_line /= !mxE /= => /eqP.
+have e1 : 2%:R - 1 = 1 :> F by rewrite mulr2n addrK.
+rewrite !mulr0 !mulr1 -[(1 + (0 + 1))%N]/2%N -[(1 + 0)%:R]/(1 : F) e1 !addr0 ?add0r ?mul0r ?divr1.
+by rewrite eq_sym oner_eq0.
+Qed.
+
+(** FJ07.13 parameters_needs_width: where $u_n=u_0$ all pairs $\Lambda^{*}=M^{*}$ have the same first cell, a parallelogram. *)
+Theorem FJ07_13_parameters_needs_width m u n (c d : nat -> 'rV[F]_m) M : u n = u 0%N -> d 1%N - d 0%N = c 1%N - c 0%N -> cell u n M M c d 0.
+Proof.
+move=> e side; apply/FJ07_13_rulings; rewrite add0n e subrr scale0r addr0; congr (_ *: _).
+by rewrite -[d 1%N](subrK (d 0%N)) side; move: (c 0%N) (c 1%N) (d 0%N) => x y z; by_entries j; ring.
+Qed.
+
+(** FJ07.T1 straight_needs_length: for $\lambda=0$, $d=c$, every curve obeys Theorem 1 with $\Lambda^{*}=M^{*}$. *)
+Theorem FJ07_T1_straight_needs_length m u n L (c : nat -> 'rV[F]_m) :
+  related u n L L c c /\ pcurve n u c = pcurve n u c + 0 *: pderiv (pcurve n u c).
+Proof. by split=> [v _|] //; rewrite scale0r addr0. Qed.
+
+(** FJ07.6 unique_needs_alpha: for $\alpha=1$ and $d_0=c_0$ every point $a$ has $d_0-a=\alpha(c_0-a)$. *)
+Theorem FJ07_6_unique_needs_alpha m (c d : nat -> 'rV[F]_m) a : d 0%N = c 0%N -> d 0%N - a = 1 *: (c 0%N - a).
+Proof. by move=> ->; rewrite scale1r. Qed.
+
+(** FJ07.7 unique_needs_binomials: where $C(n,i)=0$ in the field two rows that differ in their point $i$ have the same curve. *)
+Theorem FJ07_7_unique_needs_binomials n i (c : nat -> 'rV[F]_1) (d := fun j => tangent_row n c j + const_mx (j == i)%:R) :
+  (i <= n)%N -> 'C(n, i)%:R = 0 :> F ->
+  pbez n d = pbez n c + pderiv (pbez n c) /\ d i <> tangent_row n c i.
+Proof.
+move=> le_i e; split; last first.
+  by rewrite /d eqxx -[RHS]addr0 => /addrI/rowP/(_ 0); rewrite !mxE => /eqP; rewrite oner_eq0.
+rewrite -FJ07_7_net; apply/rowP=> k; rewrite !mxE /bez; apply: eq_bigr => j _; rewrite /coord /d !mxE polyCD [LHS]mulrDl.
+have [->|_] := eqVneq j i; last by rewrite mulr0n polyC0 mul0r addr0.
+by rewrite /B -(polyC_nat F) e polyC0 mul0r !mulr0 ?addr0.
+Qed.
+End Needs.
