@@ -8,10 +8,12 @@ Fails where an answer differs, and where a class of inputs did not do what it is
 """
 import argparse
 import collections
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import problems
 
@@ -41,9 +43,18 @@ def extracted():
 
 
 def answers(program, lines):
-    found = run([program], input="".join(line + "\n" for line in lines)).splitlines()
-    if len(found) != len(lines):
-        sys.exit(f"{program}: {len(found)} answers to {len(lines)} problems")
+    """A line for each problem; as many processes as processors share them."""
+    def of_part(part):
+        found = run([program], input="".join(line + "\n" for line in part)).splitlines()
+        if len(found) != len(part):
+            sys.exit(f"{program}: {len(found)} answers to {len(part)} problems")
+        return found
+
+    shares = os.cpu_count()
+    found = [None] * len(lines)
+    with ThreadPoolExecutor(shares) as pool:
+        for share, part in enumerate(pool.map(of_part, [lines[share::shares] for share in range(shares)])):
+            found[share::shares] = part
     return found
 
 
