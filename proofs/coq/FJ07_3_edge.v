@@ -100,14 +100,18 @@ End Points.
 
 (** FJ07.3 points: $[d',c',d-c]=\left(\frac n{b-a}\right)^2[c_1^{n-1}-c_0^{n-1},d_0^{n-1}-c_0^{n-1},d_1^{n-1}-c_0^{n-1}]$ on a piece $[a,b]$:
     the condition (3) says that the four last but one points of de Boor's algorithm are coplanar.
-    Hypotheses: the knots carry the piece; $n\ne0$ in the field. *)
+    Hypotheses: the knots carry the piece. *)
 Theorem FJ07_3_points (F : fieldType) (u : nat -> F) n k (c d : nat -> 'rV[F]_3) t (a := u (n + k)%N) (b := u (n + k).+1)
     (c0 := last_but_one u n k t a c) (c1 := last_but_one u n k t b c) (d0 := last_but_one u n k t a d) (d1 := last_but_one u n k t b d)
-    (C := pcurve n.+1 (drop_ k u) (drop_ k c)) (D := pcurve n.+1 (drop_ k u) (drop_ k d)) : n.+1%:R != 0 :> F -> span n.+1 (drop_ k u) ->
+    (C := pcurve n.+1 (drop_ k u) (drop_ k c)) (D := pcurve n.+1 (drop_ k u) (drop_ k d)) : span n.+1 (drop_ k u) ->
   triple (ev (pderiv D) t) (ev (pderiv C) t) (ev D t - ev C t)
     = (n.+1%:R / (b - a)) ^+ 2 * triple (c1 - c0) (d0 - c0) (d1 - c0).
 Proof.
-move=> n0 sp; have nz : b - a != 0 := piece_len sp.
+move=> sp; have nz : b - a != 0 := piece_len sp.
+have [n0|n0] := eqVneq (n.+1%:R : F) 0.
+  have still (x : nat -> 'rV[F]_3) : ev (pderiv (pcurve n.+1 (drop_ k u) (drop_ k x))) t = 0.
+    by rewrite pderiv_curve //; apply/rowP=> j; rewrite !(mxE, mulmxnE) hornerMn -mulr_natr n0 mulr0.
+  by rewrite !still n0 mul0r expr0n mul0r; coordinates; ring.
 have solve (x : nat -> 'rV[F]_3) (X := pcurve n.+1 (drop_ k u) (drop_ k x)) (x0 := last_but_one u n k t a x) (x1 := last_but_one u n k t b x) :
   ev (pderiv X) t = (n.+1%:R / (b - a)) *: (x1 - x0) /\ ev X t = x0 + ((t - a) / (b - a)) *: (x1 - x0).
   have e0 := FJ21_3_5_tangent (drop_ k x) t a n0 sp; have e1 := FJ21_3_5_tangent (drop_ k x) t b n0 sp.

@@ -33,7 +33,7 @@ Qed.
 
 (** FJ07.C3 point: a ruling that does not touch the curve has its only singular point at $v=\frac{t-M^{*}}{\Lambda^{*}-M^{*}}$, on the edge of
     regression, and none for $\Lambda^{*}=M^{*}$.
-    Hypotheses: $c'\times(d-c)\ne0$; $n\ne0$ in the field. *)
+    Hypotheses: $c'\times(d-c)\ne0$; $n\ne0$ in the field, where else the relation of $c$ and $d$, which divides by $n$, has no meaning. *)
 Theorem FJ07_C3_point n c d t L M v : n%:R != 0 :> F -> related_at n c d t L M 1 ->
   cross (ev (pderiv c) t) (ev d t - ev c t) != 0 ->
   cross (velocity_on c d t v) (ev d t - ev c t) = 0 <-> v * (L - M) = t - M.

@@ -223,13 +223,12 @@ Qed.
 
 (** FJ21.T6.1 frame: $p=r+\frac{M-t}{n+1}r'$ and $q=r+\frac{\Lambda-t}{n+1}r'$ have $p'=\lambda W+\mu W'+\nu p$ with $\lambda=\frac n{\Lambda-M}$, $\mu=\frac{M-t}{\Lambda-M}$,
     $\nu=0$.
-    Hypotheses: $\Lambda\ne M$; $n$ and $n+1$ are not 0 in the field. *)
-Theorem FJ21_T6_1_frame n r L M t : n%:R != 0 :> F -> n.+1%:R != 0 :> F -> L != M ->
+    Hypotheses: $\Lambda\ne M$; $n+1\ne0$ in the field. *)
+Theorem FJ21_T6_1_frame n r L M t : n.+1%:R != 0 :> F -> L != M ->
   frame (patch n r M) (patch n r L) t (n%:R / (L - M)) ((M - t) / (L - M)) 0.
 Proof.
-move=> n0 n1 d; have d0 : L - 1 * M + t * (1 - 1) != 0 by rewrite mul1r subrr mulr0 addr0 subr_eq0.
-have rel : related_at n (patch n r M) (patch n r L) t L M 1.
-  by apply: FJ21_T6_1_relation; apply/FJ21_T6_1_equivalence => //; exists r.
-by have := (FJ21_C4_1_frame _ _ n0 d0).1 rel; rewrite !mul1r subrr !mulr0 mul0r addr0 mulr1.
+move=> n1; rewrite -subr_eq0 => d; apply/rowP=> k; rewrite !mxE !(derivD, derivN, derivM, derivZ, derivC, derivX, hornerE) /= ?hornerE.
+move: (r 0 k).[t] (r 0 k)^`().[t] ((r 0 k)^`()^`()).[t] n1 => a b c; rewrite -[n.+1]addn1 natrD; move: (n%:R : F) => N n1; field.
+by rewrite n1 d.
 Qed.
 End Tangents.
