@@ -118,7 +118,7 @@ TEST_F(Campaign, ProcessesThatDoTheSameCountItOnce) {
 }
 
 TEST_F(Campaign, ADiskWithoutRoomIsAnErrorAndNothingIsLost) {
-  std::vector<std::string> words{"sh", "-c", "trap '' XFSZ; ulimit -f 140; exec \"$@\"", "sh"};
+  std::vector<std::string> words{"sh", "-c", "trap '' XFSZ; ulimit -f 400; exec \"$@\"", "sh"};
   for (const std::string& word : runs_.run("full", "1..1000000", "1")) words.push_back(word);
   const ProgramResult full = run(words);
   EXPECT_EQ(full.exit, 2);
