@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -24,7 +23,6 @@
 #include "torse/io/file.hpp"
 #include "torse/proofs/report.hpp"
 #include "torse/proofs/runner.hpp"
-#include "torse/proofs/table.hpp"
 
 namespace torse::cli {
 namespace {

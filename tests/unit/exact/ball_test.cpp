@@ -93,6 +93,7 @@ TEST(Ball, IntervalContainsItsEnds) {
   EXPECT_THROW(Ball<30>::interval(std::nan(""), 1), InvalidInput);
   try {
     Ball<30>::interval(1, 0);
+    ADD_FAILURE() << "expected an error";
   } catch (const InvalidInput& error) {
     EXPECT_EQ(error.place(), "interval");
   }
