@@ -20,7 +20,8 @@ struct RealRoot {
 
 /// The distinct real roots of f(x) = sum_i coefficients[i] x^i in increasing order. Rational roots are recognised
 /// exactly. The interval of an irrational root is not wider than 2^-bits times its smaller end in absolute value (so it
-/// does not contain 0). Throws InvalidInput naming "coefficients" for the zero polynomial (or none).
+/// does not contain 0), and it has no point in common with those of the others, ends included. Throws InvalidInput
+/// naming "coefficients" for the zero polynomial (or none).
 std::vector<RealRoot> real_roots(const std::vector<Rational>& coefficients, int bits);
 
 }  // namespace torse

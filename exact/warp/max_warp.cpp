@@ -11,9 +11,12 @@
 #include "torse/developable/warp.hpp"
 #include "torse/exact/decide/evaluation.hpp"
 #include "torse/exact/warp/common_factor.hpp"
+#include "torse/exact/warp/exact_cost.hpp"
+#include "torse/exact/warp/exact_quotients.hpp"
 #include "torse/exact/warp/piece_bounds.hpp"
 #include "torse/exact/warp/rounded_net.hpp"
 #include "torse/exact/warp/search.hpp"
+#include "torse/exact/warp/surface.hpp"
 
 namespace torse {
 namespace {
@@ -29,92 +32,6 @@ constexpr double most_bounded = 4;
 
 /// Products of coefficients times their bits that the quotients of the exact stage may take to make: some seconds.
 constexpr double most_exact_work = 0x1p28;
-
-/// A surface over S.
-template <class S, int D>
-struct Surface {
-  KnotList<S> knots;
-  std::vector<Vec<S, D>> c;
-  std::vector<Vec<S, D>> d;
-};
-
-/// The same surface over T.
-template <class T, class S, int D, class Convert>
-Surface<T, D> converted(const KnotList<S>& u, std::span<const Vec<S, D>> c, std::span<const Vec<S, D>> d,
-                        Convert convert) {
-  const auto row = [&](std::span<const Vec<S, D>> from) {
-    std::vector<Vec<T, D>> to;
-    for (const Vec<S, D>& x : from) {
-      Vec<T, D> y;
-      for (int j = 0; j < D; ++j) y[j] = convert(x[j]);
-      to.push_back(std::move(y));
-    }
-    return to;
-  };
-  std::vector<T> knots;
-  for (const S& x : u.list()) knots.push_back(convert(x));
-  return {KnotList<T>(u.degree(), std::move(knots)), row(c), row(d)};
-}
-
-template <class S, int D>
-SineForms<S> sine_forms_of(const Surface<S, D>& surface, int k) {
-  return sine_forms(ruling_forms<S>(surface.knots, surface.c, surface.d, k));
-}
-
-template <class S>
-BernsteinQuotient<S> quotient_of(const SineForms<S>& forms) {
-  return {Bernstein<S>::from_form(forms.numerator), Bernstein<S>::from_form(forms.denominator)};
-}
-
-/// A positive multiple with integer coefficients: products of these need no reduction of fractions.
-FormVector<Rational> cleared(FormVector<Rational> v) {
-  std::vector<Rational> all;
-  for (const BinaryForm<Rational>& f : v) {
-    for (int i = 0; i <= f.degree(); ++i) all.push_back(f[i]);
-  }
-  const Rational factor = ScalarTraits<Rational>::common_denominator(all);
-  for (BinaryForm<Rational>& f : v) f = factor * f;
-  return v;
-}
-
-/// Whether N <= limit D on [0, 1], by the signs of the difference between its roots. It settles limits that are
-/// attained.
-bool nowhere_above(const SineForms<Rational>& forms, const Rational& limit) {
-  const BinaryForm<Rational> gap = limit * forms.denominator - forms.numerator;
-  if (definitely(gap.zero())) return true;
-  constexpr int root_bits = 20;
-  std::vector<Rational> coefficients(static_cast<std::size_t>(gap.degree()) + 1);
-  for (int i = 0; i <= gap.degree(); ++i) coefficients[static_cast<std::size_t>(i)] = gap[i];
-  // In x = t / s of [0, infinity]: one test point before, between and after the roots.
-  std::vector<Rational> tests;
-  Rational from(0);
-  for (const RealRoot& root : real_roots(coefficients, root_bits)) {
-    if (root.upper.sign() <= 0) continue;
-    tests.push_back((from + root.lower) / Rational(2));
-    from = root.upper;
-  }
-  tests.push_back(from + Rational(1));
-  return std::ranges::all_of(tests, [&](const Rational& x) { return gap(Rational(1), x).sign() >= 0; });
-}
-
-/// The largest power of 4 by which the quotients stay near 1 at most: 0 unless they are so small that sin^2 underflows.
-long scale_for(const std::vector<SineForms<Rational>>& forms) {
-  constexpr long near_underflow = -800;
-  const auto log2 = [](const BinaryForm<Rational>& f) {
-    long most = std::numeric_limits<long>::min();
-    for (int i = 0; i <= f.degree(); ++i) {
-      if (f[i].sign() != 0) {
-        most = std::max(most, static_cast<long>(f[i].numerator_bits()) - static_cast<long>(f[i].denominator_bits()));
-      }
-    }
-    return most;
-  };
-  long most = std::numeric_limits<long>::min();
-  for (const SineForms<Rational>& f : forms) {
-    if (!definitely(f.numerator.zero())) most = std::max(most, log2(f.numerator) - log2(f.denominator));
-  }
-  return most > near_underflow || most == std::numeric_limits<long>::min() ? 0 : -most / 2;
-}
 
 /// One run through the stages.
 template <class S, int D>
@@ -188,11 +105,9 @@ class WarpRun {
   /// The number of sub-intervals where each costs `factor` times as much as in doubles; the cost grows with the square
   /// of the degree of the quotient.
   long budget(double factor) const {
-    const double size = std::max(1.0, (quotient_degree() + 1) / 21.0);
+    const double size = std::max(1.0, (sine_degree<D>(u_.degree()) + 1) / 21.0);
     return std::max(1L, static_cast<long>(static_cast<double>(options_.intervals) / (factor * size * size)));
   }
-
-  int quotient_degree() const { return D == 3 ? 8 * u_.degree() - 4 : 16 * u_.degree() - 8; }
 
   template <class Q>
   std::vector<int> settle(std::vector<WarpPiece<Q>>& pieces, long budget) {
@@ -297,31 +212,32 @@ class WarpRun {
 
   std::vector<int> exact_stage(const std::vector<int>& pieces) {
     stage_ = WarpStage::exact;
-    if (static_cast<long>(pieces.size()) > budget(exact_cost()) || exact_work(pieces) > most_exact_work) return pieces;
+    if (static_cast<long>(pieces.size()) > budget(exact_cost(*surface_)) ||
+        exact_work(*surface_, pieces) > most_exact_work)
+      return pieces;
     std::vector<SineForms<Rational>> forms;
     for (const int k : pieces) {
       const RulingForms<Rational> fractions = ruling_forms<Rational>(surface_->knots, surface_->c, surface_->d, k);
-      const RulingForms<Rational> ruling{cleared(fractions.a), cleared(fractions.w), cleared(fractions.b)};
+      const RulingForms<Rational> ruling{with_integers(fractions.a), with_integers(fractions.w),
+                                         with_integers(fractions.b)};
       const auto [first, second] = normal_forms(ruling);
       const VectorWithZeros m = without_common_zeros(first);
       const VectorWithZeros n = without_common_zeros(second);
       for (const auto* zeros : {&m.zeros, &n.zeros}) {
         for (const RealRoot& t : *zeros) exclusions_.push_back({k, parameter(k, t.lower), parameter(k, t.upper)});
       }
-      forms.push_back(in_lowest_terms(sine_forms(cleared(m.direction), cleared(n.direction))));
+      forms.push_back(in_lowest_terms(sine_forms(with_integers(m.direction), with_integers(n.direction))));
     }
     return settle_exactly(pieces, forms);
   }
 
   std::vector<int> settle_exactly(const std::vector<int>& pieces, const std::vector<SineForms<Rational>>& forms) {
     if (record_.lower == 0 && record_.upper < 0x1p-800) set_scale(scale_for(forms));
-    const Rational factor = power_of_four(record_.scale);
     std::vector<WarpPiece<BernsteinQuotient<Rational>>> quotients;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      quotients.push_back(
-          {pieces[i], quotient_of(SineForms<Rational>{factor * forms[i].numerator, forms[i].denominator})});
+      quotients.push_back({pieces[i], quotient_of(scaled(forms[i], record_.scale))});
     }
-    const std::vector<std::size_t> tangent = search(quotients, goal_, budget(exact_cost()), record_);
+    const std::vector<std::size_t> tangent = search(quotients, goal_, budget(exact_cost(*surface_)), record_);
     std::vector<int> open;
     for (const std::size_t i : tangent) {
       if (!attains_limit_only(forms[i])) open.push_back(pieces[i]);
@@ -333,49 +249,6 @@ class WarpRun {
   bool attains_limit_only(const SineForms<Rational>& forms) const {
     const std::optional<Rational> value = limit_ ? exact_sine_squared(*limit_) : std::nullopt;
     return value && nowhere_above(forms, *value);
-  }
-
-  /// An estimate for the quotients of these pieces. The normals' product a x w x b x w, without its denominators, is as
-  /// long as four of the longest numerators with the denominators of both rows thrice, and as what the knots and
-  /// binomials add; the weights double the degree in the control points.
-  double exact_work(const std::vector<int>& pieces) const {
-    constexpr double bits_per_degree = 64;
-    const double products = std::pow(quotient_degree() + 1, 2);
-    double work = 0;
-    for (const int k : pieces) {
-      std::size_t numerator = 0;
-      std::size_t denominators = 0;
-      for (const auto* row : {&surface_->c, &surface_->d}) {
-        for (int i = k - 1; i < k + u_.degree(); ++i) {
-          for (int j = 0; j < D; ++j) {
-            const Rational& x = (*row)[static_cast<std::size_t>(i)][j];
-            numerator = std::max(numerator, x.numerator_bits());
-            denominators += x.denominator_bits();
-          }
-        }
-      }
-      const double bits = static_cast<double>(4 * numerator + 3 * denominators) + bits_per_degree * u_.degree();
-      work += (D - 2) * bits * products;
-    }
-    return work;
-  }
-
-  /// Longer numbers cost more.
-  double exact_cost() const {
-    std::size_t most = 0;
-    for (const auto* row : {&surface_->c, &surface_->d}) {
-      for (const Vec<Rational, D>& x : *row) {
-        for (int j = 0; j < D; ++j) most = std::max(most, x[j].numerator_bits() + x[j].denominator_bits());
-      }
-    }
-    return 3000 * std::max(1.0, static_cast<double>(most) / 512);
-  }
-
-  static Rational power_of_four(long exponent) {
-    Rational power(1);
-    const Rational base = exponent < 0 ? Rational(1) / Rational(4) : Rational(4);
-    for (long i = 0; i < std::abs(exponent); ++i) power *= base;
-    return power;
   }
 
   const KnotList<S>& u_;

@@ -37,7 +37,7 @@ Handle(Geom_Curve) curve_of(const TopoDS_Edge& edge, CadRange& range) {
 
 /// Number for number, as far as it is a line or a B-spline.
 CadRail rail_of_edge(const TopoDS_Edge& edge) {
-  CadRange range;
+  CadRange range{};
   const Handle(Geom_Curve) curve = curve_of(edge, range);
   auto [rail, part] = rail_of(curve, range);
   rail.part = part;
@@ -48,7 +48,7 @@ CadRail rail_of_edge(const TopoDS_Edge& edge) {
 CadRail rail_of_chain(const std::vector<TopoDS_Edge>& edges) {
   GeomConvert_CompCurveToBSplineCurve chain;
   for (const TopoDS_Edge& edge : edges) {
-    CadRange range;
+    CadRange range{};
     Handle(Geom_Curve) curve = curve_of(edge, range);
     if (edge.Orientation() == TopAbs_REVERSED) {
       const CadRange back{curve->ReversedParameter(range.to), curve->ReversedParameter(range.from)};

@@ -26,8 +26,8 @@ using CadPoint = std::array<double, 3>;
 
 /// A closed interval of parameters.
 struct CadRange {
-  double from = 0;
-  double to = 1;
+  double from{};
+  double to{};
 };
 
 /// A B-spline curve: the CAD list of knots (points + degree + 1 of them), control points, as many weights. `part` cuts
