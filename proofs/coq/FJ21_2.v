@@ -52,27 +52,56 @@ congr (_ - _ + _ - _); congr (_ * _); apply: (congr1 (@determinant R 3));
   by apply/matrixP=> -[[|[|[|//]]] lt_i] j; rewrite !mxE.
 Qed.
 
+Lemma mul_rows4 (v : 'rV[R]_4) p q r s : v *m rows4 p q r s = v 0 0 *: p + v 0 1 *: q + v 0 2%:R *: r + v 0 3%:R *: s.
+Proof.
+apply/rowP=> k; rewrite !mxE !big_ord_recl big_ord0 !mxE /= addr0 !addrA.
+by congr (_ * _ + _ * _ + _ * _ + _ * _); congr (v _ _); apply/val_inj.
+Qed.
+
+(* Four combinations of four rows: their determinant is the product. *)
+Lemma det_combinations (a b c d : seq R) p q r s
+    (x := fun v : seq R => v`_0 *: p + v`_1 *: q + v`_2 *: r + v`_3 *: s) (y := fun v : seq R => \row_k v`_(val k) : 'rV[R]_4) :
+  \det (rows4 (x a) (x b) (x c) (x d)) = \det (rows4 (y a) (y b) (y c) (y d)) * \det (rows4 p q r s).
+Proof.
+have e v : x v = y v *m rows4 p q r s by rewrite mul_rows4 /y !mxE.
+rewrite -det_mulmx; congr (\det _); apply/matrixP=> i j; rewrite mxE [RHS]mxE.
+case: i => -[|[|[|[|//]]]] lt_i; rewrite /= e [LHS]mxE; apply: eq_bigr => k _; by rewrite [rows4 _ _ _ _ _ k]mxE.
+Qed.
+
+Lemma triple_vec (a b c d e f g h i : R) :
+  triple (vec a b c) (vec d e f) (vec g h i) = a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g).
+Proof. by rewrite tripleE /x_ /y_ /z_ !mxE. Qed.
+
+Lemma place_seq (v : seq R) : place (\row_(k < 4) v`_k) = vec v`_1 v`_2 v`_3.
+Proof. by apply/rowP=> -[[|[|[|//]]] lt_k]; rewrite !mxE. Qed.
+
+Lemma weight_seq (v : seq R) : weight (\row_(k < 4) v`_k) = v`_0.
+Proof. by rewrite /weight mxE. Qed.
+
 (* Two rows p, p' and two rows q, q' in the place of points on their lines. *)
 Lemma det_lines p p' q q' (a b : R) :
   \det (rows4 (p + a *: p') (p + b *: p') (q + a *: q') (q + b *: q')) = (b - a) ^+ 2 * \det (rows4 p p' q q').
-Proof. by rewrite !det_rows4 /weight /place; coordinates; hide_entries; ring. Qed.
+Proof.
+have := det_combinations [:: 1; a; 0; 0] [:: 1; b; 0; 0] [:: 0; 0; 1; a] [:: 0; 0; 1; b] p p' q q'.
+by rewrite /= !scale0r !scale1r !addr0 !add0r => ->; congr (_ * _); rewrite det_rows4 !place_seq !weight_seq !triple_vec /=; ring.
+Qed.
 
 Lemma det_scaled p p' q q' (k : R) : \det (rows4 p (k *: p') q (k *: q')) = k ^+ 2 * \det (rows4 p p' q q').
-Proof. by rewrite !det_rows4 /weight /place; coordinates; hide_entries; ring. Qed.
+Proof.
+have := det_combinations [:: 1; 0; 0; 0] [:: 0; k; 0; 0] [:: 0; 0; 1; 0] [:: 0; 0; 0; k] p p' q q'.
+by rewrite /= !scale0r !scale1r !addr0 !add0r => ->; congr (_ * _); rewrite det_rows4 !place_seq !weight_seq !triple_vec /=; ring.
+Qed.
 
 Lemma det_dependent p q r s : \det (rows4 p q r s) = 0 <-> dependent4 p q r s.
 Proof.
-have mul (v : 'rV[R]_4) : v *m rows4 p q r s = v 0 0 *: p + v 0 1 *: q + v 0 2%:R *: r + v 0 3%:R *: s.
-  apply/rowP=> k; rewrite !mxE !big_ord_recl big_ord0 !mxE /= addr0 !addrA.
-  by congr (_ * _ + _ * _ + _ * _ + _ * _); congr (v _ _); apply/val_inj.
 split=> [/eqP/det0P[v nz e]|[a [b [c [d [nz e]]]]]].
-  exists (v 0 0), (v 0 1), (v 0 2%:R), (v 0 3%:R); rewrite -mul e; split=> //.
+  exists (v 0 0), (v 0 1), (v 0 2%:R), (v 0 3%:R); rewrite -mul_rows4 e; split=> //.
   apply: contraNneq nz => -[v0 v1 v2 v3]; apply/eqP/rowP=> -[[|[|[|[|//]]]] lt_i]; rewrite [RHS]mxE.
   - by rewrite -v0; congr (v _ _); apply/val_inj.
   - by rewrite -v1; congr (v _ _); apply/val_inj.
   - by rewrite -v2; congr (v _ _); apply/val_inj.
   - by rewrite -v3; congr (v _ _); apply/val_inj.
-apply/eqP/det0P; exists (\row_k nth 0 [:: a; b; c; d] k); last by rewrite mul !mxE.
+apply/eqP/det0P; exists (\row_k nth 0 [:: a; b; c; d] k); last by rewrite mul_rows4 !mxE.
 apply: contraNneq nz => /rowP h; apply/eqP; have := (h 0, h 1, h 2%:R, h 3%:R); rewrite !mxE /=.
 by move=> -[[[-> ->] ->] ->].
 Qed.

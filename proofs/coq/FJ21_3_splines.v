@@ -57,6 +57,23 @@ split=> //; last by move: y2; rewrite /y s1 mul1r => /(canRL (subrK _)) ->; ring
 by apply: (mulfI n20); rewrite f0 x3 y2; ring.
 Qed.
 
+(* The equations of the other example have no common solution. *)
+Lemma no_common_triple (E : fieldType) (L M s : E) :
+  (1 - L) * 1 + (L - 0) * 1 = s * ((1 - M) * 1 + (M - 0) * 1) -> (1 - L) * 0 + (L - 0) * 0 = s * ((1 - M) * 1 + (M - 0) * 2%:R) ->
+  (2%:R - L) * 1 + (L - 1) * 2%:R = s * ((2%:R - M) * 0 + (M - 1) * 0) ->
+  (2%:R - L) * 0 + (L - 1) * 1 = s * ((2%:R - M) * 0 + (M - 1) * 1) -> False.
+Proof.
+move=> h0 h2 l1 g3; have /eqP := oner_neq0 E; apply; have s1 : s = 1 by apply: (by_multiple (z := -1) h0); ring.
+move: h2 l1 g3; rewrite s1 => h2 l1 g3.
+by apply: (by_multiple (z := -1) (congr2 (fun x y => x + y) (congr2 (fun x y => x - y) l1 g3) h2)); ring.
+Qed.
+
+Lemma row4_nth (R : ringType) (a b c d : R) h : row4 a b c d 0 h = nth 0 [:: a; b; c; d] h.
+Proof. by rewrite mxE. Qed.
+
+Lemma row4Z (R : ringType) (x a b c d : R) : x *: row4 a b c d = row4 (x * a) (x * b) (x * c) (x * d).
+Proof. by apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE. Qed.
+
 Section Splines.
 Variable F : fieldType.
 Notation K := {fraction {poly F}}.
@@ -93,15 +110,6 @@ move=> e; apply/rowP=> k; rewrite !mxE /curve /= /step /polys /coord /= !mul1r a
 by rewrite -polyCB e polyC1 divr1.
 Qed.
 
-Lemma no_common_triple (E : fieldType) (T L M s : E) :
-  1 + (L - T) * 0 = s * (1 + (M - T) * 0) -> 0 + (L - T) * 0 = s * (1 + T + (M - T) * 1) ->
-  T + (L - T) * 1 = s * (0 + (M - T) * 0) -> T - 1 + (L - T) * 1 = s * (T - 1 + (M - T) * 1) -> False.
-Proof.
-rewrite !mulr0 !addr0 !mulr1 mulr0 => <-; rewrite !mul1r => h2 g1 g3; have /eqP := oner_neq0 E; apply.
-transitivity (1 + T + (M - T) - (T - 1 + (M - T)) + (T - 1 + (L - T)) - (T + (L - T))); first by ring.
-by rewrite -h2 g1 g3 sub0r addNr subr0.
-Qed.
-
 Let phi : {rmorphism F -> K} := [rmorphism of @FracField.tofrac [idomainType of {poly F}] \o @polyC F].
 
 Lemma ftangent1 m u (c : nat -> 'rV[F]_m) L (k : 'I_m) : u 1%N - u 0%N = 1 ->
@@ -109,6 +117,29 @@ Lemma ftangent1 m u (c : nat -> 'rV[F]_m) L (k : 'I_m) : u 1%N - u 0%N = 1 ->
 Proof.
 move=> e; rewrite /ftangent pcurve1 // !mxE divr1 !(derivD, derivN, derivM, derivC, derivX) !(tofracD, tofracN, tofracM) !tofrac0 tofrac1 /phi /=.
 exact: tangent_of_line.
+Qed.
+
+(* In degree 1 the relation on a piece is an equation of numbers for each coordinate; numbers are rational functions by f. *)
+Lemma cells1 : exists f : {rmorphism F -> K}, forall u (c d : nat -> 'rV[F]_4) k L M s
+    (e := fun h : 'I_4 => (f (u k.+1) - L) * f (c k 0 h) + (L - f (u k)) * f (c k.+1 0 h)
+                       = s * ((f (u k.+1) - M) * f (d k 0 h) + (M - f (u k)) * f (d k.+1 0 h))), u k.+1 - u k = 1 ->
+  frelated 1 (pcurve 1 (drop_ k u) (drop_ k c)) (pcurve 1 (drop_ k u) (drop_ k d)) L M s <-> [/\ e 0, e 1, e 2%:R & e 3%:R].
+Proof.
+exists phi => u c d k L M s e.
+have at0 (T : Type) (g : nat -> T) : drop_ k g 0%N = g k by rewrite /drop_ addn0.
+have at1 (T : Type) (g : nat -> T) : drop_ k g 1%N = g k.+1 by rewrite /drop_ addn1.
+move=> uk; have eE h : e h <-> ftangent 1 (pcurve 1 (drop_ k u) (drop_ k c)) L 0 h
+    = s * ftangent 1 (pcurve 1 (drop_ k u) (drop_ k d)) M 0 h.
+  by rewrite /e !ftangent1 !at0 !at1.
+have {}eE h : e h <-> ftangent 1 (pcurve 1 (drop_ k u) (drop_ k c)) L 0 h
+    = (s *: ftangent 1 (pcurve 1 (drop_ k u) (drop_ k d)) M) 0 h.
+  by rewrite eE [X in _ <-> _ = X]mxE.
+rewrite /frelated; split=> [r|[h0 h1 h2 h3]]; first by split; apply/eE; rewrite r.
+apply/rowP=> -[[|[|[|[|//]]]] lt_h]; apply/eE.
+- by rewrite (_ : Ordinal _ = 0) //; apply/val_inj.
+- by rewrite (_ : Ordinal _ = 1) //; apply/val_inj.
+- by rewrite (_ : Ordinal _ = 2%:R) //; apply/val_inj.
+- by rewrite (_ : Ordinal _ = 3%:R) //; apply/val_inj.
 Qed.
 
 (** FJ21.T3.2.pieces example: $n=1$, the knots $0,1,2$, the rows $(1,0,0,0),(1,1,0,2),(2,3,1,0)$ and $(1,0,1,1),\frac1{10}(9,3,8,14),\frac1{20}(-13,-61,-6,82)$:
@@ -123,25 +154,9 @@ Theorem FJ21_T3_2_pieces_example (u := fun i => i%:R : F)
 Proof.
 move=> n70; have n10 : 10%:R != 0 :> F by move: n70; rewrite (natrM _ 7 10) mulf_eq0 negb_or => /andP[].
 have nK := natrF0 n70; have nK' := natrF0 n10.
-have entry k : u k.+1 - u k = 1 -> frelated 1 (p k) (q k) L M s <-> forall h : 'I_4,
-    (phi (u k.+1) - L) * phi (c k 0 h) + (L - phi (u k)) * phi (c k.+1 0 h)
-    = s * ((phi (u k.+1) - M) * phi (d k 0 h) + (M - phi (u k)) * phi (d k.+1 0 h)).
-  have e0 (g : nat -> F) : drop_ k g 0%N = g k by rewrite /drop_ addn0.
-  have e1 (g : nat -> F) : drop_ k g 1%N = g k.+1 by rewrite /drop_ addn1.
-  have f0 (g : nat -> 'rV[F]_4) : drop_ k g 0%N = g k by rewrite /drop_ addn0.
-  have f1 (g : nat -> 'rV[F]_4) : drop_ k g 1%N = g k.+1 by rewrite /drop_ addn1.
-  move=> e; rewrite /frelated; split=> [/rowP h i|h]; last apply/rowP=> i; have := h i;
-    by rewrite [fun_of_matrix (_ *: _) 0 i]mxE !ftangent1 ?e0 ?e1 ?f0 ?f1.
-have four (f g : 'I_4 -> K) : (forall h, f h = g h) <-> [/\ f 0 = g 0, f 1 = g 1, f 2%:R = g 2%:R & f 3%:R = g 3%:R].
-  split=> [e|[h0 h1 h2 h3] [[|[|[|[|//]]]] lt_h]]; first by split; apply: e.
-  - by rewrite (_ : Ordinal _ = 0) //; apply/val_inj.
-  - by rewrite (_ : Ordinal _ = 1) //; apply/val_inj.
-  - by rewrite (_ : Ordinal _ = 2%:R) //; apply/val_inj.
-  - by rewrite (_ : Ordinal _ = 3%:R) //; apply/val_inj.
-have u0 : u 1%N - u 0%N = 1 by rewrite /u subr0.
-have u1 : u 2%N - u 1%N = 1 by rewrite /u -natrB.
-rewrite !entry //; move: (phi) nK nK' => f nK nK'.
-split; rewrite four /u /c /d !mxE /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1); [exact: first_cell|exact: second_cell].
+have [u0 u1] : u 1%N - u 0%N = 1 /\ u 2%N - u 1%N = 1 by rewrite /u subr0 -natrB.
+have [f cells] := cells1; rewrite !cells // /u /c /d /= !row4Z !row4_nth /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1).
+by split; [exact: first_cell|exact: second_cell].
 Qed.
 
 (** FJ21.T3.2 needs_pieces: one triple for the whole spline is not necessary: for $n=1$ on the knots $0,1,2$ the rows
@@ -153,31 +168,11 @@ Theorem FJ21_T3_2_needs_pieces (u := fun i => i%:R : F)
   [/\ frelated 1 (p 0%N) (q 0%N) 0 (-1) 1, frelated 1 (p 1%N) (q 1%N) 0 0 1
     & forall L M s, ~ (frelated 1 (p 0%N) (q 0%N) L M s /\ frelated 1 (p 1%N) (q 1%N) L M s)].
 Proof.
-have e0 : drop_ 0 u 1%N - drop_ 0 u 0%N = 1 by rewrite /drop_ /u subr0.
-have e1 : drop_ 1 u 1%N - drop_ 1 u 0%N = 1 by rewrite /drop_ /u -natrB.
-have P0 : p 0%N = row4 1 'X 0 0.
-  rewrite /p pcurve1 //; apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /drop_ /u /= ?polyC1 ?polyC0; ring.
-have Q0 : q 0%N = row4 1 0 (1 + 'X) 0.
-  rewrite /q pcurve1 //; apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /drop_ /u /= ?polyC1 ?polyC0 ?polyC_natr; ring.
-have P1 : p 1%N = row4 1 'X 0 ('X - 1).
-  rewrite /p pcurve1 //; apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /drop_ /u /= ?polyC1 ?polyC0; ring.
-have Q1 : q 1%N = row4 1 0 ('X *+ 2) ('X - 1).
-  rewrite /q pcurve1 //; apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /drop_ /u /= ?polyC1 ?polyC0; ring.
-have entry (a b : 'rV[{poly F}]_4) L M s : frelated 1 a b L M s <-> forall k : 'I_4,
-    (a 0 k)%:F + (L - 'X%:F) * ((a 0 k)^`())%:F = s * ((b 0 k)%:F + (M - 'X%:F) * ((b 0 k)^`())%:F).
-  by split=> [/rowP e k|e]; [have := e k | apply/rowP=> k; have := e k]; rewrite !mxE !divr1.
-have D : [/\ deriv ('X : {poly F}) = 1, deriv ('X - 1 : {poly F}) = 1, deriv (1 + 'X : {poly F}) = 1, deriv ('X *+ 2 : {poly F}) = 1 *+ 2
-    & deriv (1 : {poly F}) = 0 /\ deriv (0 : {poly F}) = 0].
-  by rewrite !(derivD, derivN, derivMn, derivX, derivC) subr0 add0r.
-case: D => D1 D2 D3 D4 [D5 D6]; rewrite P0 Q0 P1 Q1; have simp := (mulr0, mul0r, addr0, add0r, mul1r, mulr1, sub0r, subrr).
-split.
-- apply/entry=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /= ?D1 ?D3 ?D5 ?D6 ?tofracD ?tofrac1 ?tofrac0; move: ('X%:F) => T; rewrite !simp //.
-  by rewrite addrACA !subrr addr0.
-- apply/entry=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /= ?D1 ?D2 ?D4 ?D5 ?D6 ?tofracB ?tofracMn ?tofrac1 ?tofrac0; move: ('X%:F) => T; rewrite !simp //.
-  by rewrite mulrnAr mulr1 mulNrn subrr.
-move=> L M s [/entry h /entry g].
-have := (h 0, h 2%:R, g 1, g 3%:R); rewrite !mxE /= ?D1 ?D2 ?D3 ?D5 ?D6 ?tofracD ?tofracN ?tofrac1 ?tofrac0.
-move: ('X%:F) => T -[[[s1 h2] g1] g3].
-exact: no_common_triple s1 h2 g1 g3.
+have [u0 u1] : u 1%N - u 0%N = 1 /\ u 2%N - u 1%N = 1 by rewrite /u subr0 -natrB.
+have [f cells] := cells1; rewrite /p /q; split; [apply/cells => // | apply/cells => // | move=> L M s [/cells-/(_ u0) + /cells-/(_ u1)]];
+  rewrite /u /c /d /= !row4_nth /= !(rmorph_nat, rmorph0, rmorph1).
+- by split; ring.
+- by split; ring.
+by case=> s1 _ h2 _ [_ l1 _ g3]; exact: no_common_triple s1 h2 l1 g3.
 Qed.
 End Splines.

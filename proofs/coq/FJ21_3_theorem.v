@@ -65,6 +65,19 @@ End Spans.
 Lemma slope_of_multiple (K : fieldType) (x : K) (p : 'rV[K]_4) : weight (x *: p) *: place p - weight p *: place (x *: p) = 0.
 Proof. by rewrite /weight /place; by_entries k; ring. Qed.
 
+(* The polynomials of a curve in any field that holds them, with the first argument any member of it. *)
+Lemma blossom_function (F E : fieldType) (f : {rmorphism {poly F} -> E}) n (u c : nat -> F) x : span n.+1 u ->
+  f (curve n.+1 u c) + (x - f 'X) * f (velocity n.+1 u c)
+    = blossom (fun i => f (u i)%:P) (fun i => f (c i)%:P) (at_ x :: nseq n (at_ (f 'X))).
+Proof.
+move=> sp; have lift y : f (blossom (polys u) (polys c) (y :: nseq n (at_ 'X)))
+    = blossom (fun i => f (u i)%:P) (fun i => f (c i)%:P) ((f y.1, f y.2) :: nseq n (at_ (f 'X))).
+  by rewrite blossom_morph /= ?map_nseq /= ?rmorph1 // size_nseq; exact: span_polys.
+rewrite -[curve _ _ _]/(blossom (polys u) (polys c) (at_ 'X :: nseq n (at_ 'X))) /velocity !lift /= rmorph1 rmorph0.
+rewrite -[X in X + _]mul1r -(blossoms_multilinear _ _ [::]) /= /comb /at_ /=.
+by rewrite !mul1r mulr1 mulr0 addr0 addrC subrK.
+Qed.
+
 Section Functions.
 Variable F : fieldType.
 Notation K := {fraction {poly F}}.
@@ -85,17 +98,9 @@ Theorem FJ21_3_5_function m n (u : nat -> F) (c : nat -> 'rV[F]_m) x : n%:R != 0
     = pblossom (fun i => ((u i)%:P)%:F) (fun i => map_mx (fun a => (a%:P)%:F) (c i)) (at_ x :: nseq n.-1 (at_ 'X%:F)).
 Proof.
 move=> n0 sp; have := natrF0 n0; case: n n0 sp => [|n] n0 sp nK; first by rewrite eqxx in n0.
-have spK : span n.+1 (fun i => ((u i)%:P)%:F : K).
-  exact: (span_morph [rmorphism of @FracField.tofrac [idomainType of {poly F}]] (span_polys sp)).
 apply/rowP=> k; rewrite !mxE blossoms_derivative // tofracMn -[FracField.tofrac _ *+ n.+1]mulr_natr mulrA mulrAC divfK //.
-have lift (y : {poly F} * {poly F}) : (blossom (polys u) (polys (coord c k)) (y :: nseq n (at_ 'X)))%:F
-    = blossom (fun i => ((u i)%:P)%:F : K) (coord (fun i => map_mx (fun a => (a%:P)%:F : K) (c i)) k) ((y.1%:F, y.2%:F) :: nseq n (at_ 'X%:F)).
-  rewrite (blossom_morph [rmorphism of @FracField.tofrac [idomainType of {poly F}]]); last by rewrite /= size_nseq; apply: span_polys.
-  rewrite /= map_nseq /= tofrac1; apply: blossom_ext => i _; rewrite /step /=.
-  by rewrite /coord !mxE.
-rewrite -[curve _ _ _]/(blossom (polys u) (polys (coord c k)) (at_ 'X :: nseq n (at_ 'X))) /velocity !lift /= tofrac1 tofrac0.
-rewrite -[X in X + _]mul1r -(blossoms_multilinear _ _ [::]) /= /comb /at_ /=.
-by rewrite !mul1r mulr1 mulr0 addr0 addrC subrK.
+rewrite (blossom_function [rmorphism of @FracField.tofrac [idomainType of {poly F}]]) //.
+by apply: blossom_ext => i _; rewrite /step /coord !mxE.
 Qed.
 
 (** FJ21.T3.1 exact: rational $\Lambda,M,\sigma$ with $\sigma\ne0$ and $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$ exist iff $p$ is a combination of

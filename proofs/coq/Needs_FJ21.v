@@ -13,7 +13,7 @@ Local Open Scope ring_scope.
 
 Section Jets.
 Variable F : fieldType.
-Implicit Types (A B C D : 'rV[F]_3) (f g : {poly F}) (p q : 'rV[{poly F}]_3) (L M s lam mu nu a b x y : F) (n : nat).
+Implicit Types (A B C D : 'rV[F]_3) (f g : {poly F}) (p q : 'rV[{poly F}]_3) (L M s lam mu nu a b c x y z : F) (n : nat).
 
 Definition jet A B : 'rV[{poly F}]_3 := map_mx polyC A + 'X *: map_mx polyC B.
 Definition e1 : 'rV[F]_3 := vec 1 0 0.
@@ -44,10 +44,25 @@ Proof. by apply/rowP=> k; rewrite !mxE derivN hornerN. Qed.
 Lemma ev_pderiv_scale f p t : ev (pderiv (f *: p)) t = f^`().[t] *: ev p t + f.[t] *: ev (pderiv p) t.
 Proof. by apply/rowP=> k; rewrite !mxE derivM hornerD !hornerM. Qed.
 
-Definition jetE := (evD, evN, ev_pderivD, ev_pderivN, ev_scale, ev_pderiv_scale, ev_jet, ev_pderiv_jet, FJ21_5.linearE, deriv_linear).
+Definition jetE := (ev_jet, ev_pderiv_jet, evD, evN, ev_pderivD, ev_pderivN, ev_scale, ev_pderiv_scale, FJ21_5.linearE, deriv_linear).
 
-Lemma coords A B : A = B -> [/\ x_ A = x_ B, y_ A = y_ B & z_ A = z_ B].
-Proof. by move->. Qed.
+(* Sums and multiples of points given by their coordinates: quicker than entry by entry. *)
+Lemma vec0 : 0 = vec 0 0 0 :> 'rV[F]_3.
+Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
+
+Lemma vecD a b c x y z : vec a b c + vec x y z = vec (a + x) (b + y) (c + z).
+Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
+
+Lemma vecN a b c : - vec a b c = vec (- a) (- b) (- c).
+Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
+
+Lemma vecZ s a b c : s *: vec a b c = vec (s * a) (s * b) (s * c).
+Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
+
+Lemma coords a b c x y z : vec a b c = vec x y z -> [/\ a = x, b = y & c = z].
+Proof. by move=> /rowP e; have := (e (@Ordinal 3 0 isT), e (@Ordinal 3 1 isT), e (@Ordinal 3 2 isT)); rewrite !mxE => -[[]]. Qed.
+
+Definition vecE := (vecZ, vecN, vecD).
 
 End Jets.
 
@@ -56,8 +71,9 @@ Proof. by move/eqP; rewrite oner_eq0. Qed.
 
 (* The equation at hand, simplified, and coordinate by coordinate. *)
 Ltac at_jets := rewrite /related_at /tangent /frame ?jetE /e1 /e2 /e3 ?hornerX ?hornerC ?derivX ?derivC ?horner0 ?hornerC.
-Ltac by_coords := apply: row3P; rewrite /x_ /y_ /z_ !mxE /=.
-Ltac split_coords := move=> /coords; rewrite /x_ /y_ /z_ !mxE /=; case.
+Ltac as_vec := rewrite ?scale0r ?scaler0 ?scale1r ?add0r ?addr0 ?vec0 ?vecE.
+Ltac by_coords := as_vec; congr vec.
+Ltac split_coords := as_vec; move=> /coords; case.
 (* h: l = r cannot be, as z (l - r) is 1. *)
 Ltac refute z h := apply: one_is_not_zero; apply: (by_multiple (z := z) h); ring.
 
@@ -141,7 +157,9 @@ Theorem FJ21_4_4_needs_degree n (p := jet 0 e1) (p0 p1 q0 q1 : 'rV[F]_3) : n%:R 
   ev (pderiv p) 0 <> n%:R *: (p1 - p0) /\
   ev (pderiv p) 0 <> (n%:R * (1 + 0) + 0 * (0 - 0)) *: p1 + ((1 - 0) * (0 - 0) - n%:R * (1 + 0)) *: p0
     - (0 * 0 + n%:R * 0) *: q1 - (0 * (1 - 0) - n%:R * 0) *: q0.
-Proof. by rewrite /p => n0; rewrite n0; split; at_jets; split_coords => h1 _ _; refute (1 : F) h1. Qed.
+Proof.
+rewrite /p => n0; rewrite n0; split; at_jets; rewrite ?addr0 !(mul0r, mulr0, addr0, subr0, scale0r); split_coords => h1 _ _; refute (1 : F) h1.
+Qed.
 
 (** FJ21.W needs_weight: with the weights of $q$ times $\beta=0$ there are no $\Lambda,M,\sigma$: $p=q=(1,0,0)$, constant. *)
 Theorem FJ21_W_needs_weight n L M (p := jet e1 0) :
