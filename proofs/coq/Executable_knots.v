@@ -97,7 +97,7 @@ have -> : all (predC (repeats K n u)) (iota 0 (last_ n u)) by apply/iotaP; exact
 by rewrite /last_ /= dom.
 Qed.
 
-Lemma fitsP A n u c (a : answer A) x : fits n u c a = Value x <-> size c = (size u - n).+1 /\ a = Value x.
+Lemma fitsP (P : Type) A n u (c : seq P) (a : answer A) x : fits n u c a = Value x <-> size c = (size u - n).+1 /\ a = Value x.
 Proof. by rewrite /fits nat_eqbE /given; split=> [|[-> ->]]; rewrite ?eqxx //; case: ifP => // /eqP. Qed.
 
 Lemma deboor_drop u c k v : deboor K V (drop k u) (drop k c) v = pblossom (drop_ k (at_list u)) (drop_ k (at_list c)) v.

@@ -12,7 +12,8 @@ namespace {
 std::string solve(const std::string& line) {
   const Problem problem(line);
   try {
-    for (const Table* table : {&over_knots(), &of_rulings(), &of_mappings(), &of_one_piece(), &of_changes()}) {
+    for (const Table* table :
+         {&over_knots(), &of_rulings(), &of_mappings(), &of_polynomials(), &of_one_piece(), &of_changes()}) {
       if (const auto found = table->find(problem.name()); found != table->end()) return found->second(problem).text();
     }
     throw std::out_of_range(problem.name());

@@ -125,6 +125,9 @@ let programs = [
   "mapping_slope", (fun p -> of_point (spline mapping_slope_program p (number p "t")));
   "identity_mapping", (fun p -> of_point (over_knots greville_program p));
   "pointwise_sine_squared", (fun p -> of_point (spline (fun k v -> warp_program k v x y z) p (points p "d") (integer p "k") (number p "t")));
+  "composed_points", (fun p -> of_points (composed_program field (space (dimension p)) (points p "c") (numbers p "e")));
+  "bezier_rows", (fun p -> of_point (bernstein_program field (numbers p "f") (integer p "n") (number p "a") (number p "b")));
+  "piece_polynomials", (fun p -> of_point (over_knots polynomial_program p (numbers p "f") (integer p "k")));
   "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
 ]
 

@@ -235,6 +235,30 @@ def mapping(draw):
     return members | {"c": draw.row(1)}
 
 
+def composition(draw):
+    """A Bezier curve, mostly of a low degree, and a polynomial, sometimes one of the two without points."""
+    draw.usual, draw.highest = 3 if draw.huge else 4, 7
+    members = bezier(draw)
+    e = [draw.random.choice((0, 1, draw.number(), draw.number())) for _ in range(draw.random.randint(1, 4))]
+    empty = draw.random.random()
+    return {"c": [] if empty < 0.03 else members["c"], "e": [] if 0.02 < empty < 0.05 else e}
+
+
+def polynomial(draw):
+    """A polynomial, often of a lower degree than its list says, an interval, sometimes empty, and a degree, sometimes too low."""
+    n = draw.degree()
+    f = [draw.random.choice((0, draw.number())) for _ in range(draw.random.choice((n + 2, *range(n + 2), n + 1)))]
+    a = draw.number()
+    return {"f": f, "n": n, "a": a, "b": a if draw.random.random() < 0.1 else draw.number()}
+
+
+def piece_of_function(draw):
+    """A function over knots, and a piece."""
+    members = spline(draw)
+    del members["c"]
+    return members | {"f": [x for x, in draw.row(1)], "k": draw.piece()}
+
+
 def products(draw):
     members = first_cell(draw)
     a = draw.random.randint(0, max(0, draw.last))
@@ -309,6 +333,9 @@ functions = {
     "pointwise_sine_squared": (general, pair),
     "coefficients_from_steps": (of_numbers, steps),
     "elevated_points": (of_rows, elevation),
+    "composed_points": (of_rows, composition),
+    "bezier_rows": (of_numbers + ["high degree"], polynomial),
+    "piece_polynomials": (general, piece_of_function),
     "cone_net": (of_rows, directrix),
     "start_cone_net": (of_rows, directrix),
     "mean_tangent_net": (of_rows, directrix),

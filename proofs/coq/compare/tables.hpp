@@ -1,6 +1,6 @@
 // The functions of the comparison by name.
 //   Function, Table           from a problem to the answer of the library, by name
-//   over_knots, of_rulings, of_mappings, of_one_piece, of_changes  all of them
+//   over_knots, of_rulings, of_mappings, of_polynomials, of_one_piece, of_changes  all of them
 #pragma once
 
 #include <map>
@@ -19,6 +19,8 @@ const Table& over_knots();
 const Table& of_rulings();
 /// Mappings, and the warp of a ruling.
 const Table& of_mappings();
+/// Composition, and polynomials in their two forms.
+const Table& of_polynomials();
 /// The functions of Bezier polygons, and those at one parameter.
 const Table& of_one_piece();
 /// Those of FJ21 that change the functions Lam, M, sigma, and the edge of regression.
