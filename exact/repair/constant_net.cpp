@@ -66,12 +66,13 @@ std::vector<Vec<Real, D>> edge_of(const std::vector<EdgeRow>& rows, const RealNe
   return r;
 }
 
-/// How much errors of the first points, one unit of their scales each, are enlarged in edge_from.
+/// How much errors of the first points, one unit of their scales each, are enlarged in the second edge point of
+/// edge_from. The first is not used again.
 Real joint_growth(const std::vector<EdgeRow>& rows, const Real& scale_c, const Real& scale_d) {
   const auto& [a0, b0] = rows[0].real;
   const auto& [a1, b1] = rows[1].real;
   const Real unit = std::max(scale_c, scale_d).square_root();
-  return std::max(norm(b1, b0), norm(a0, a1)) * unit / magnitude(a0 * b1 - a1 * b0);
+  return norm(a0, a1) * unit / magnitude(a0 * b1 - a1 * b0);
 }
 
 /// A segment with what its exact points come from.
@@ -82,7 +83,8 @@ struct SegmentRows {
 };
 
 /// For each segment how much its rounding errors matter: its own growth, times that of the segments that start from
-/// them. For n > 1 the first two edge points of a segment do not reach its end; for n = 1 errors travel on.
+/// them, which is 1 or more: |a0 b1 - a1 b0| <= (|a0| + |a1|) max(|b0|, |b1|). For n > 1 the second edge point of a
+/// segment does not reach its end; for n = 1 errors travel on.
 template <int D>
 std::vector<Real> reach_of_errors(const std::vector<SegmentRows<D>>& segments, int degree) {
   std::vector<Real> reach(segments.size());
@@ -92,7 +94,7 @@ std::vector<Real> reach_of_errors(const std::vector<SegmentRows<D>>& segments, i
     const Real own = growth(rows, part);
     reach[s] = own * later;
     const Real enlarged = joint_growth(rows, part.scale[0], part.scale[1]) * own;
-    later = std::max(Real(1), degree == 1 ? enlarged * later : enlarged);
+    later = degree == 1 ? enlarged * later : enlarged;
   }
   return reach;
 }
