@@ -104,54 +104,30 @@ ExactNet<D> realise_pencil(const RealNet<D>& net, Pencil<D> pencil, const Real& 
   return result;
 }
 
-/// The best alpha for homogeneous rows: samples, golden section, Newton's method on differences.
+/// The best alpha for homogeneous rows: samples, Newton's method on differences.
 Pencil<4> best_pencil(const RealNet<4>& net, int first) {
   constexpr int samples = 32;
   const std::size_t stride = std::max<std::size_t>(1, net.size() / 128);
   Pencil<4> best{0, Real(0), first};
   Real least = pencil_distance(net, best, stride);
-  for (std::size_t swapped = 0; swapped < 2; ++swapped) {
-    for (int k = -samples; k <= samples; ++k) {
-      const Pencil<4> pencil{swapped, Real(k) / Real(samples), first};
-      const Real distance = pencil_distance(net, pencil, stride);
-      if (distance < least) {
-        least = distance;
-        best = pencil;
-      }
-    }
-  }
-  const auto at = [&](const Real& alpha) { return pencil_distance(net, Pencil<4>{best.swapped, alpha, first}); };
+  const auto improves = [&](const Pencil<4>& pencil) {
+    const Real distance = pencil_distance(net, pencil, stride);
+    if (!(distance < least)) return false;
+    least = distance;
+    best = pencil;
+    return true;
+  };
+  const auto at = [&](const Real& alpha) { return Pencil<4>{best.swapped, alpha, first}; };
 
-  const Real golden = (Real(5).square_root() - Real(1)) / Real(2);
-  Real low = best.alpha - Real(1) / Real(samples);
-  Real high = best.alpha + Real(1) / Real(samples);
-  Real left = high - golden * (high - low), right = low + golden * (high - low);
-  Real at_left = at(left), at_right = at(right);
-  for (int step = 0; step < 12; ++step) {
-    if (at_left < at_right) {
-      high = std::exchange(right, left);
-      at_right = at_left;
-      left = high - golden * (high - low);
-      at_left = at(left);
-    } else {
-      low = std::exchange(left, right);
-      at_left = at_right;
-      right = low + golden * (high - low);
-      at_right = at(right);
-    }
+  for (std::size_t swapped = 0; swapped < 2; ++swapped) {
+    for (int k = -samples; k <= samples; ++k) improves({swapped, Real(k) / Real(samples), first});
   }
-  best.alpha = (low + high) / Real(2);
-  least = at(best.alpha);
   const Real step = Real::from_rational(power_of_two(-60));
   for (int round = 0; round < 6; ++round) {
-    const Real above = at(best.alpha + step), below = at(best.alpha - step);
+    const Real above = pencil_distance(net, at(best.alpha + step), stride);
+    const Real below = pencil_distance(net, at(best.alpha - step), stride);
     const Real bend = above - Real(2) * least + below;
-    if (!(bend > Real(0))) break;
-    const Real alpha = best.alpha - step * (above - below) / (Real(2) * bend);
-    const Real distance = at(alpha);
-    if (!(distance < least)) break;
-    best.alpha = alpha;
-    least = distance;
+    if (!(bend > Real(0)) || !improves(at(best.alpha - step * (above - below) / (Real(2) * bend)))) break;
   }
   return best;
 }
