@@ -25,7 +25,7 @@ by rewrite -!polyCB polyCV -polyCM.
 Qed.
 
 (** BZZ19.4 derivative: $\sigma'(t)=d\sum_i\frac{\beta_{i+1}-\beta_i}{t_{i+d}-t_i}B_{i,d-1}(t)$, over the same knots without the first.
-    Hypotheses: the knots carry a piece. *)
+    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
 Theorem BZZ19_4_derivative n u b : span n.+1 u -> (curve n.+1 u b)^`() = curve n (shift u) (slope n.+1 u b) *+ n.+1.
 Proof. by move=> sp; rewrite blossoms_derivative // velocity_slope. Qed.
 End Derivative.

@@ -40,7 +40,7 @@ Qed.
 
 (** BZZ19.3 joints: at a knot $x=t_{j+d}=\dots=t_{j+d+r-1}$ of any multiplicity $r\le d$ the pieces $j$ and $j+r$, before and after it, have the same value: the mapping is
     continuous.
-    Hypotheses: the knots carry both pieces; $r\le d$.
+    Hypotheses: the knots carry both pieces, so that their points have a meaning; $r\le d$.
     Paper: its knots are simple but for the ends. *)
 Theorem BZZ19_3_joints n r u b j x : (r <= n)%N -> span n (drop_ j u) -> span n (drop_ (j + r) u) ->
   (forall i, (n <= i < n + r)%N -> u (j + i)%N = x) -> (mapping n u b j).[x] = (mapping n u b (j + r)).[x].

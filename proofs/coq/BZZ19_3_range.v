@@ -1,7 +1,8 @@
 (* BZZ19, section 3.2: the mapping as a B-spline function, its range, and that it increases strictly.
    Definitions:
      basis n u i       the B-spline function B_i on the piece: the curve of the points 0, ..., 1, ..., 0
-     greville n u i    u_i + ... + u_{i+n-1}, n times the Greville abscissa *)
+     greville n u i    u_i + ... + u_{i+n-1}, n times the Greville abscissa
+     inside n u t      t lies on the piece and is none of its ends *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves FJ07_2 BZZ19_3.
 Set Implicit Arguments.
@@ -26,7 +27,7 @@ by rewrite eq_sym (negPf ne_i) mulr0.
 Qed.
 
 (** BZZ19.3 partition: $\sum_iB_{i,d}(t)=1$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem BZZ19_3_partition n u : span n u -> \sum_(0 <= i < n.+1) basis n u i = 1.
 Proof.
 move=> sp; rewrite -polyC1 -(curve_const 1 sp) BZZ19_3_basis; apply: eq_big_nat => i _.
@@ -53,7 +54,7 @@ by rewrite addrC.
 Qed.
 
 (** BZZ19.3 identity: $d\,t$ is the mapping with the coefficients $t_{i+1}+\dots+t_{i+d}$: the start $\sigma(t)=t$ has the Greville abscissae.
-    Hypotheses: the knots carry the piece.
+    Hypotheses: the knots carry the piece, so that its points have a meaning.
     Paper: takes "a number of values on $T=t$"; others give $\sigma=t$ for $d=1$ only. *)
 Theorem BZZ19_3_identity n u : span n u -> curve n u (greville n u) = n%:R * 'X.
 Proof.
@@ -71,7 +72,7 @@ Variable F : realFieldType.
 Implicit Types (u b : nat -> F) (n i : nat) (s t lo hi : F).
 
 (** BZZ19.3 range: on a piece $\sigma$ lies between bounds of its coefficients.
-    Hypotheses: the knots carry the piece, $t$ lies on it. *)
+    Hypotheses: $t$ lies on the piece; the knots carry it, so that its points have a meaning. *)
 Theorem BZZ19_3_range n u b t lo hi : span n u -> within n u t -> (forall i, (i <= n)%N -> lo <= b i <= hi) ->
   lo <= (curve n u b).[t] <= hi.
 Proof.
@@ -90,7 +91,7 @@ by rewrite mulN1r addrC subr_ge0.
 Qed.
 
 (** BZZ19.3 ends: where the knots are $n$-fold at the ends of the piece, $\sigma$ takes them to the first and the last coefficient.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem BZZ19_3_ends n u b a e : span n u -> (forall i, (i < n)%N -> u i = a) -> (forall j, (n <= j < n.*2)%N -> u j = e) ->
   (curve n u b).[a] = b 0%N /\ (curve n u b).[e] = b n.
 Proof.
@@ -102,40 +103,69 @@ split; congr blossom; rewrite /knots; apply/esym.
 by rewrite (all_at _ e) ?size_iota // => j; rewrite mem_iota addnn; exact: eq_e.
 Qed.
 
-Lemma blossom_gt0 u b (v : seq F) : span (size v) u -> (forall t, t \in v -> within (size v) u t) ->
-  (forall i, (i <= size v)%N -> 0 < b i) -> 0 < blossom u b [seq at_ t | t <- v].
+Definition inside n u t := (forall i, (i < n)%N -> u i < t) /\ (forall j, (n <= j < n.*2)%N -> t < u j).
+
+Lemma blossom_gt0 u b (v : seq F) k : (forall t, t \in v -> inside (size v) u t) -> (forall i, (i <= size v)%N -> 0 <= b i) ->
+  (k <= size v)%N -> 0 < b k -> 0 < blossom u b [seq at_ t | t <- v].
 Proof.
-elim: v u b => [|t v ih] u b sp h b_gt0 /=; first exact: b_gt0.
-apply: ih; first exact: span_shift.
-  by move=> s sv; apply: within_shift; apply: h; rewrite inE sv orbT.
-move=> i le_i; have [lo hi] := h t (mem_head _ _); rewrite /= in lo hi.
-have le_lo : u i <= t by apply: lo; lia.
-have le_hi : t <= u (i + (size v).+1)%N by apply: hi; lia.
-have lt_u : u i < u (i + (size v).+1)%N.
-  rewrite lt_def (le_trans le_lo le_hi) andbT -subr_eq0 -unitfE; apply: sp => /=; lia.
-rewrite /step size_map /at_ /= !mul1r divr_gt0 ?subr_gt0 //.
-have [b0 b1] : 0 < b i /\ 0 < b i.+1 by split; apply: b_gt0 => /=; lia.
-have [e|ne] := eqVneq t (u i).
-  by rewrite e subrr mul0r addr0 mulr_gt0 // subr_gt0.
-by apply: ltr_paddl; [rewrite mulr_ge0 ?subr_ge0 // ltW | rewrite mulr_gt0 // subr_gt0 lt_def ne].
+elim: v u b k => [|t v ih] u b k h b_ge0 /= le_k b_k; first by move: b_k; rewrite (eqP (_ : k == 0%N)) -?leqn0.
+have [lo hi] := h t (mem_head _ _); rewrite /= in lo hi.
+have lt_u i : (i <= size v)%N -> u i < t < u (i + (size v).+1)%N by move=> le_i; rewrite lo ?hi //; lia.
+have den i : (i <= size v)%N -> 0 < u (i + (size v).+1)%N - u i.
+  by move=> /lt_u /andP[lt1 lt2]; rewrite subr_gt0 (lt_trans lt1).
+have nonneg i : (i <= size v)%N -> 0 <= step u (size [seq at_ t | t <- v]).+1 (at_ t) b i.
+  move=> le_i; rewrite size_map /step /at_ /= !mul1r divr_ge0 ?(ltW (den i le_i)) //.
+  have /andP[lt1 lt2] := lt_u i le_i.
+  by rewrite addr_ge0 // mulr_ge0 ?subr_ge0 ?(ltW lt1) ?(ltW lt2) //; apply: b_ge0 => /=; lia.
+have inside' x : x \in v -> inside (size v) (shift u) x.
+  move=> xv; have [|l r] := h x _; first by rewrite inE xv orbT.
+  by split=> i h1; [apply: l | apply: r]; rewrite /=; lia.
+have [le_k'|lt_k] := leqP k (size v).
+  apply: (ih _ _ k) => //; rewrite size_map /step /at_ /= !mul1r divr_gt0 ?den //; have /andP[lt1 lt2] := lt_u k le_k'.
+  by rewrite ltr_paddr ?mulr_gt0 ?mulr_ge0 ?subr_gt0 ?subr_ge0 ?(ltW lt1) //; apply: b_ge0 => /=; lia.
+have ek : k = (size v).+1 by lia.
+apply: (ih _ _ (size v)) => //; rewrite size_map /step /at_ /= !mul1r divr_gt0 ?den //; have /andP[lt1 lt2] := lt_u (size v) (leqnn _).
+rewrite ltr_paddl ?mulr_gt0 ?mulr_ge0 ?subr_gt0 ?subr_ge0 ?(ltW lt2) -?ek //; apply: b_ge0 => /=; lia.
 Qed.
 
-(** BZZ19.5 strict: coefficients that increase make $\sigma(s)<\sigma(t)$ for $s<t$ on the piece.
-    Hypotheses: $s$ and $t$ lie on the piece. *)
-Theorem BZZ19_5_strict n u b s t : within n.+1 u s -> within n.+1 u t -> s < t ->
-  (forall i, (i <= n)%N -> b i < b i.+1) -> (curve n.+1 u b).[s] < (curve n.+1 u b).[t].
+Lemma rise b n : b 0%N < b n.+1 -> exists2 i, (i <= n)%N & b i < b i.+1.
 Proof.
-move=> in_s in_t lt_st up; have sp := within_span lt_st in_s in_t.
-have le_up i : (i <= n)%N -> b i <= b i.+1 by move=> /up/ltW.
-rewrite !horner_curve //; apply: lt_le_trans (@mixed_le _ _ _ _ _ _ 1 n sp in_s in_t (ltW lt_st) le_up _) => //.
-rewrite [X in X < _]/(blossom u b (at_ s :: nseq n (at_ s))) /cat -[X in _ < X]/(blossom u b (at_ t :: nseq n (at_ s))).
-have -> : at_ t = comb 1 (at_ s) (t - s) (direction F) by rewrite /comb /at_ /= !mul1r mulr1 mulr0 addr0 addrC subrK.
-rewrite (blossoms_multilinear _ _ [::]) mul1r ltr_addl mulr_gt0 ?subr_gt0 // (@direction_first _ n) ?size_nseq // -map_nseq.
-apply: blossom_gt0; rewrite size_nseq; [exact: span_shift | | move=> i le_i].
-  by move=> x; rewrite mem_nseq => /andP[_ /eqP ->]; apply: within_shift.
-rewrite /slope divr_gt0 ?subr_gt0 ?up //.
-case: in_s in_t => lo _ [_ hi]; apply: le_lt_trans (lo i _) (lt_le_trans lt_st (hi _ _)); lia.
+elim: n => [|n ih] lt_b; first by exists 0%N.
+have [lt_n|le_n] := ltP (b n.+1) (b n.+2); first by exists n.+1.
+by have [i le_i lt_i] := ih (lt_le_trans lt_b le_n); exists i; rewrite ?(leq_trans le_i).
 Qed.
+
+(** BZZ19.5 strict: coefficients that do not decrease, and are not all equal, make $\sigma(s)<\sigma(t)$ for $s<t$ on the piece.
+    Hypotheses: $s$ and $t$ lie on the piece; $\beta_0<\beta_d$. *)
+Theorem BZZ19_5_strict n u b s t : within n.+1 u s -> within n.+1 u t -> s < t ->
+  (forall i, (i <= n)%N -> b i <= b i.+1) -> b 0%N < b n.+1 -> (curve n.+1 u b).[s] < (curve n.+1 u b).[t].
+Proof.
+move=> in_s in_t lt_st up lt_b; have sp := within_span lt_st in_s in_t.
+pose x := (s + t) / 2%:R; pose y := (x + t) / 2%:R.
+have [lt_sx lt_xt] : s < x /\ x < t by rewrite !midf_lt.
+have [lt_xy lt_yt] : x < y /\ y < t by rewrite !midf_lt.
+have inside_ z : s < z -> z < t -> inside n.+1 u z.
+  case: in_s in_t => lo _ [_ hi] lt_sz lt_zt.
+  by split=> i h; [apply: le_lt_trans (lo i h) lt_sz | apply: lt_le_trans lt_zt (hi i h)].
+have within_ z : inside n.+1 u z -> within n.+1 u z by case=> lo hi; split=> i h; apply: ltW; [apply: lo | apply: hi].
+have in_x := inside_ x lt_sx lt_xt; have in_y := inside_ y (lt_trans lt_sx lt_xy) lt_yt.
+apply: le_lt_trans (BZZ19_5_monotone in_s (within_ _ in_x) (ltW lt_sx) up) _.
+apply: lt_le_trans _ (BZZ19_5_monotone (within_ _ in_y) in_t (ltW lt_yt) up).
+rewrite !horner_curve //; apply: lt_le_trans (@mixed_le _ _ _ _ _ _ 1 n sp (within_ _ in_x) (within_ _ in_y) (ltW lt_xy) up _) => //.
+rewrite [X in X < _]/(blossom u b (at_ x :: nseq n (at_ x))) /cat -[X in _ < X]/(blossom u b (at_ y :: nseq n (at_ x))).
+have -> : at_ y = comb 1 (at_ x) (y - x) (direction F) by rewrite /comb /at_ /= !mul1r mulr1 mulr0 addr0 addrC subrK.
+rewrite (blossoms_multilinear _ _ [::]) mul1r ltr_addl mulr_gt0 ?subr_gt0 // (@direction_first _ n) ?size_nseq // -map_nseq.
+have width i : (i <= n)%N -> u i < u (i + n.+1)%N.
+  by case: in_x => lo hi le_i; apply: lt_trans (lo i _) (hi _ _); lia.
+have [k le_k lt_k] := rise lt_b; apply: (@blossom_gt0 _ _ _ k); rewrite ?size_nseq //.
+- by move=> z; rewrite mem_nseq => /andP[_ /eqP ->]; case: in_x => lo hi; split=> i h; [apply: lo | apply: hi]; lia.
+- by move=> i le_i; rewrite slope_ge0 ?(ltW (width i le_i)).
+by rewrite /slope divr_gt0 ?subr_gt0 // width.
+Qed.
+
+(** BZZ19.5 strict_needs_rise: where all coefficients are equal $\sigma$ is constant. *)
+Theorem BZZ19_5_strict_needs_rise n u (x s t : F) : span n u -> (curve n u (fun=> x)).[s] = (curve n u (fun=> x)).[t].
+Proof. by move=> sp; rewrite curve_const // !hornerC. Qed.
 End Range.
 
 (** BZZ19.3 onto: over a real closed field $\sigma$ takes every value between its values at $s\le t$, so that it maps $[a,b]$ onto
@@ -151,7 +181,7 @@ by rewrite hornerD hornerN hornerC => /eqP; rewrite subr_eq0 => /eqP; exists x.
 Qed.
 
 (** BZZ19.3 joint: neighbouring pieces have the same value at the knot $t_k$ between them: the mapping is continuous.
-    Hypotheses: both pieces are not empty. *)
+    Hypotheses: $d\ge1$; the knots carry both pieces, so that their points have a meaning. *)
 Theorem BZZ19_3_joint (F : fieldType) n (u b : nat -> F) : span n u -> span n (shift u) -> (0 < n)%N ->
   (curve n u b).[u n] = (curve n (shift u) (shift b)).[u n].
 Proof.

@@ -34,7 +34,7 @@ Qed.
 
 (** BZZ19.11 piece: on a piece the polynomial $\hat\sigma(\hat t)=\sigma(a+(b-a)\hat t)$ has the Bernstein coefficients
     $P_i=\sigma[a^{\langle d-i\rangle},b^{\langle i\rangle}]$, those of $d$-fold knots at $a$ and $b$; so have the pieces of the curves.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem BZZ19_11_piece n u c a b : span n u -> (curve n u c) \Po (line a b) = bez n (segment a b n u c).
 Proof.
 move=> sp; rewrite blossom_comp // -bezier_curve {1}/curve.

@@ -86,6 +86,13 @@ have in_i := mem_index_enum (Ordinal lt_i); split; last by apply/eqP; exact: e0 
 by have := u0 _ in_i; rewrite /= sqrf_eq0 subr_eq0 => /eqP.
 Qed.
 
+(** BZZ19.9 needs_weight: without the first term, $\lambda_1=0$, all unit vectors $N_i$ give the minimum on every surface. *)
+Theorem BZZ19_9_needs_weight l2 K (x a b w : nat -> 'rV[F]_3) : (forall i, dot (x i) (x i) = 1) -> objective 0 l2 K x a b w = 0.
+Proof.
+move=> unit; rewrite /objective mul0r add0r big1 ?mulr0 // => i _.
+by rewrite unit subrr expr0n.
+Qed.
+
 (** BZZ19.9 needs_unit: without the second term, $\lambda_2=0$, all $N_i=0$ give the minimum on every surface. *)
 Theorem BZZ19_9_needs_unit l1 K (a b w : nat -> 'rV[F]_3) : objective l1 0 K (fun=> 0) a b w = 0.
 Proof.
@@ -117,7 +124,7 @@ Lemma length_eq0 x : (length_ x == 0) = (x == 0).
 Proof. by rewrite -sqrf_eq0 length_sqr dot_zero. Qed.
 
 (** BZZ19.W angle: sine and cosine of the warp angle are those of an angle between 0 and $\pi$, and the sine is 0 iff $[a,w,b]=0$.
-    Hypotheses: a real closed field; $a\times w\ne0$ and $b\times w\ne0$. *)
+    Hypotheses: a real closed field; $a\times w\ne0$ and $b\times w\ne0$, so that the angle has a meaning. *)
 Theorem BZZ19_W_angle a b w : cross a w != 0 -> cross b w != 0 ->
   [/\ warp_sin a b w ^+ 2 + warp_cos a b w ^+ 2 = 1, 0 <= warp_sin a b w & warp_sin a b w = 0 <-> triple a w b = 0].
 Proof.
@@ -132,10 +139,12 @@ rewrite /warp_sin; split=> [/eqP|->]; last by rewrite normr0 mulr0 mul0r.
 by rewrite !mulf_eq0 invr_eq0 (negPf d0) orbF (negPf w0) normr_eq0 => /eqP.
 Qed.
 
-(** BZZ19.W needs_normals: where $a$ is parallel to the ruling there is no normal and no angle: sine and cosine would both be 0. *)
-Theorem BZZ19_W_needs_normals a b w : cross a w = 0 -> warp_sin a b w = 0 /\ warp_cos a b w = 0.
+(** BZZ19.W needs_normals: where $a$ is parallel to the ruling there is no normal and no angle: numerators and denominators of sine and cosine are all 0. *)
+Theorem BZZ19_W_needs_normals a b w : cross a w = 0 ->
+  [/\ length_ w * `|triple a w b| = 0, dot (cross a w) (cross b w) = 0 & length_ (cross a w) * length_ (cross b w) = 0].
 Proof.
-move=> e; rewrite /warp_sin /warp_cos e; have -> : length_ 0 = 0 by apply/eqP; rewrite length_eq0.
-by rewrite !mul0r invr0 !mulr0.
+move=> e; have -> : triple a w b = dot (cross a w) b by coordinates; ring.
+have z x : dot 0 x = 0 :> F by coordinates; rewrite !mul0r !addr0.
+by rewrite e !z normr0 mulr0 /length_ z sqrtr0 mul0r.
 Qed.
 End Angle.

@@ -117,7 +117,7 @@ by rewrite /= !size_cat /= !addnS.
 Qed.
 
 (** blossoms symmetric: $c[v_1,\dots,v_n]$ does not depend on the order of its arguments.
-    Hypotheses: the knots carry a piece. *)
+    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
 Theorem blossoms_symmetric u c v w : span (size v) u -> perm_eq v w -> blossom u c v = blossom u c w.
 Proof.
 elim: v u c w => [|x v ih] u c w sp eq_vw; first by rewrite perm_sym in eq_vw; rewrite (perm_small_eq _ eq_vw).
@@ -151,7 +151,7 @@ Lemma knots_last u i n : knots u i n.+1 = rcons (knots u i n) (at_ (u (i + n)%N)
 Proof. by rewrite /knots -addn1 iotaD map_cat cats1. Qed.
 
 (** blossoms unique: a symmetric function linear in each of its $n$ arguments is the blossom of its values at consecutive knots.
-    Hypotheses: the knots carry a piece. *)
+    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
 Theorem blossoms_unique n f u v :
   polar n f -> span n u -> size v = n -> f v = blossom u (fun i => f (knots u i n)) v.
 Proof.
@@ -175,7 +175,7 @@ by rewrite /comb /at_; congr (_, _) => /=; ring.
 Qed.
 
 (** blossoms knots: $c[u_i,\dots,u_{i+n-1}]=c_i$, $i=0..n$.
-    Hypotheses: the knots carry a piece. *)
+    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
 Theorem blossoms_knots n u c i : span n u -> (i <= n)%N -> blossom u c (knots u i n) = c i.
 Proof.
 elim: n u c i => [|n ih] u c i sp le_i; first by case: i le_i.
@@ -188,7 +188,7 @@ rewrite !mul1r addSnnS subrr mul0r add0r mulrC mulKr //; apply: sp; lia.
 Qed.
 
 (** blossoms injective: curves with the same blossom have the same control points.
-    Hypotheses: the knots carry a piece. *)
+    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
 Theorem blossoms_injective n u c c' :
   span n u -> (forall v, size v = n -> blossom u c v = blossom u c' v) -> forall i, (i <= n)%N -> c i = c' i.
 Proof. by move=> sp eq_b i le_i; rewrite -(blossoms_knots c sp le_i) eq_b ?size_knots // blossoms_knots. Qed.

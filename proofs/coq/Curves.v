@@ -68,7 +68,7 @@ by have := blossom_swap g (at_ 'X) (direction _) sp2; rewrite /= !size_nseq; app
 Qed.
 
 (** blossoms derivative: $c'(t)=n\,c[\delta,t,\dots,t]$ for the direction $\delta=(1,0)$.
-    Hypotheses: the knots carry a piece. *)
+    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
 Theorem blossoms_derivative n u c : span n u -> (curve n u c)^`() = velocity n u c *+ n.
 Proof.
 move=> sp; rewrite /curve /velocity deriv_blossom_X //.

@@ -39,7 +39,7 @@ Implicit Types (u h : nat -> F) (c d : nat -> 'rV[F]_3) (n : nat).
 
 (** FJ07.3 blossoms: $[d',c',d-c]=n^2[d_1-d_0,\;c_1-c_0,\;d-c]$ with the last differences of de Boor's algorithm (divided
     by the length of the piece): the condition speaks of four points.
-    Hypotheses: the knots carry a piece. *)
+    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
 Theorem FJ07_3_blossoms n u c d : span n u ->
   triple (pderiv (pcurve n u d)) (pderiv (pcurve n u c)) (pcurve n u d - pcurve n u c)
     = (n ^ 2)%:R * triple (pvelocity n u d) (pvelocity n u c) (pcurve n u d - pcurve n u c).

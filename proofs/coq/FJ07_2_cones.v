@@ -51,7 +51,7 @@ Variables (F : fieldType) (m : nat).
 Implicit Types (u : nat -> F) (a : 'rV[F]_m) (c d w : nat -> 'rV[F]_m) (n i K : nat) (k al : F) (v : {poly F}).
 
 (** FJ07.5 cone: for $c=a+kw$, $d=a+(k+1)w$: $b(t,v)=a+(v+k)w(t)$, so that every ruling passes through $a=b(t,-k)$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_5_cone n u a k w v (c := fun i => a + k *: w i) (d := fun i => a + (k + 1) *: w i) : span n u ->
   ruled (pcurve n u c) (pcurve n u d) v = fixed a + (v + k%:P) *: pcurve n u w.
 Proof.
@@ -61,7 +61,7 @@ Qed.
 
 (** FJ07.5 vertex: all rulings pass through $a$ at the same $v=-k$ iff $c_i=a+kw_i$ with $w_i=d_i-c_i$, $i=0..n$, that is $c=a+kw$,
     $d=a+(k+1)w$.
-    Hypotheses: the knots carry the piece; no $C(n,i)$ vanishes in the field, as in characteristic 0, for the direction from the surface to the net. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning; no $C(n,i)$ vanishes in the field, as in characteristic 0, for the direction from the surface to the net. *)
 Theorem FJ07_5_vertex n u a k c d : independent F n -> span n u ->
   ruled (pcurve n u c) (pcurve n u d) (- k)%:P = fixed a <-> forall i, (i <= n)%N -> c i = a + k *: (d i - c i).
 Proof.
@@ -78,7 +78,7 @@ Definition vertex al c d := (al - 1)^-1 *: (al *: c 0%N - d 0%N).
 
 (** FJ07.6 vertex: $d_i-d_{i-1}=\alpha(c_i-c_{i-1})$, $i=1..L$, iff $d_i-a=\alpha(c_i-a)$, $i=0..L$, with $a=(\alpha c_0-d_0)/(\alpha-1)$: the
     rows are the same but for a change of scale by $\alpha$ from $a$.
-    Hypotheses: $\alpha\ne1$. *)
+    Hypotheses: $\alpha\ne1$, so that $a$ has a meaning. *)
 Theorem FJ07_6_vertex al c d K (a := vertex al c d) : al - 1 != 0 ->
   proportional al c d K <-> forall i, (i <= K)%N -> d i - a = al *: (c i - a).
 Proof.
@@ -101,7 +101,7 @@ Qed.
 
 (** FJ07.6 cone: proportional sides give equation (5) with $k=1/(\alpha-1)$, that is $\alpha=1+1/k$: $b(t,v)=a+(v+k)(d(t)-c(t))$ on every
     piece; all rulings pass through $a$ at $v=-k$.
-    Hypotheses: $\alpha\ne1$; the knots carry the piece. *)
+    Hypotheses: $\alpha\ne1$, so that $k$ has a meaning; the points of the piece are among $c_0,\dots,c_L$; the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_6_cone al c d K n j u v (k := (al - 1)^-1) (C := pcurve n (drop_ j u) (drop_ j c))
     (D := pcurve n (drop_ j u) (drop_ j d)) : al - 1 != 0 -> (j + n <= K)%N -> span n (drop_ j u) ->
   proportional al c d K -> al = 1 + 1 / k /\ ruled C D v = fixed (vertex al c d) + (v + k%:P) *: (D - C).
@@ -120,7 +120,7 @@ by rewrite !pcurve_move // polyCD; move: (fixed a) (pcurve _ _ _) => A W; by_ent
 Qed.
 
 (** FJ07.6 converse: a surface all of whose rulings pass through $a$ at $v=-k$ has proportional sides with $\alpha=1+1/k$.
-    Hypotheses: $k\ne0$; the knots carry the piece; no $C(n,i)$ vanishes in the field, as in characteristic 0.
+    Hypotheses: $k\ne0$; the knots carry the piece, so that its points have a meaning; no $C(n,i)$ vanishes in the field, as in characteristic 0.
     Paper: takes the same $v$ on every ruling for granted in (5). *)
 Theorem FJ07_6_converse n u a k c d : independent F n -> k != 0 -> span n u ->
   ruled (pcurve n u c) (pcurve n u d) (- k)%:P = fixed a -> proportional (1 + 1 / k) c d n.
@@ -143,7 +143,7 @@ Qed.
 End Cone.
 
 (** FJ07.5 developable: proportional rows span a developable surface, for any $k$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_5_developable (F : fieldType) n (u : nat -> F) (a : 'rV[F]_3) k (w : nat -> 'rV[F]_3) : span n u ->
   developable (pcurve n u (fun i => a + k *: w i)) (pcurve n u (fun i => a + (k + 1) *: w i)).
 Proof.
@@ -152,7 +152,7 @@ by rewrite /fixed /pderiv; coordinates; rewrite !derivD !derivM !derivC; hide_en
 Qed.
 
 (** FJ07.6 developable: rows with proportional sides span a developable surface on every piece, $d(t)=\alpha c(t)+$ a point; for $\alpha=1$ too.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the points of the piece are among $c_0,\dots,c_L$; the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_6_developable (F : fieldType) n (u : nat -> F) (c d : nat -> 'rV[F]_3) al K j (C := pcurve n (drop_ j u) (drop_ j c))
     (D := pcurve n (drop_ j u) (drop_ j d)) : (j + n <= K)%N -> span n (drop_ j u) -> proportional al c d K ->
   D = fixed (d 0%N - al *: c 0%N) + al%:P *: C /\ developable C D.
@@ -171,7 +171,7 @@ Section Counterexamples.
 Variable F : fieldType.
 
 (** FJ07.6 needs_k: at $k=0$ the row $c$ is the point $a$ and $d$ any: it has proportional sides only if it is a point too.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_6_needs_k m n (u : nat -> F) (a : 'rV[F]_m) (d : nat -> 'rV[F]_m) al K : span n u ->
   ruled (pcurve n u (fun=> a)) (pcurve n u d) (- 0)%:P = fixed a /\
   (proportional al (fun=> a) d K -> forall i, (i <= K)%N -> d i = d 0%N).
@@ -181,16 +181,21 @@ elim=> // i ih lt_i; rewrite -ih 1?ltnW //; apply/eqP.
 by rewrite -subr_eq0 (sides i lt_i) subrr scaler0.
 Qed.
 
+Lemma hidden_point n i : (i <= n)%N -> 'C(n, i)%:R = 0 :> F ->
+  pcurve n (step01 F n) (fun j => const_mx (j == i)%:R) = fixed 0 :> 'rV[{poly F}]_1.
+Proof.
+move=> le_i e; apply/rowP=> j; rewrite !mxE; transitivity (curve n (step01 F n) (fun l => (l == i)%:R)).
+  by apply: blossom_ext => l _; rewrite /polys /coord mxE.
+by rewrite blossoms_needs_binomials // -(curve_const 0 (@span_step01 F n)).
+Qed.
+
 (** FJ07.5 needs_binomials: where $C(n,i)=0$ in the field a Bezier curve can be the point $a=0$ though its point $c_i$ is not 0. *)
 Theorem FJ07_5_needs_binomials n i : (i <= n)%N -> 'C(n, i)%:R = 0 :> F ->
   exists c : nat -> 'rV[F]_1, forall k, ruled (pcurve n (step01 F n) c) (pcurve n (step01 F n) c) (- k)%:P = fixed 0 /\
     c i <> 0 + k *: (c i - c i).
 Proof.
 move=> le_i e; exists (fun j => const_mx (j == i)%:R) => k; split.
-  apply/rowP=> j; rewrite !mxE -mulrDl subrK mul1r.
-  transitivity (curve n (step01 F n) (fun l => (l == i)%:R)).
-    by apply: blossom_ext => l _; rewrite /polys /coord mxE.
-  by rewrite blossoms_needs_binomials // -(curve_const 0 (@span_step01 F n)).
+  by rewrite /ruled -scalerDl subrK scale1r hidden_point.
 by rewrite subrr scaler0 addr0 eqxx => /rowP/(_ 0); rewrite !mxE => /eqP; rewrite oner_eq0.
 Qed.
 
@@ -199,6 +204,17 @@ Lemma pcurve_onto m n (p : 'rV[{poly F}]_m) : independent F n ->
 Proof.
 move=> nz sz; apply/rowP=> k; rewrite mxE bezier_curve [RHS](BZZ19_14_bernstein nz (sz k)).
 by apply: bez_ext => i _; rewrite /coord mxE.
+Qed.
+
+(** FJ07.6 converse_needs_binomials: where $C(n,i)=0$ in the field the rows $c=d$ with $c_i=1$, all other points 0, have all their rulings through
+    0 at every $v=-k$, and their sides are not proportional with $\alpha=1+1/k$. *)
+Theorem FJ07_6_converse_needs_binomials n i (c := fun j => const_mx (j == i)%:R : 'rV[F]_1) k : (i <= n)%N -> 'C(n, i)%:R = 0 :> F -> k != 0 ->
+  ruled (pcurve n (step01 F n) c) (pcurve n (step01 F n) c) (- k)%:P = fixed 0 /\ ~ proportional (1 + 1 / k) c c n.
+Proof.
+case: i @c => [|i] c le_i e k0; first by move/eqP: e; rewrite bin0 oner_eq0.
+split; first by rewrite /ruled -scalerDl subrK scale1r hidden_point.
+move=> /(_ i le_i)/rowP/(_ 0); rewrite /c !mxE eqxx (ltn_eqF (ltnSn i)) subr0 mulr1 => /eqP.
+by rewrite -subr_eq0 opprD addrA subrr sub0r oppr_eq0 div1r invr_eq0 (negPf k0).
 Qed.
 
 (** FJ07.6 needs_scale: a cone whose rulings do not pass through the vertex at the same $v$ need not have proportional sides:

@@ -89,7 +89,7 @@ by rewrite interval_knots // /ends map_cat !map_nseq.
 Qed.
 
 (** FJ07.7 interval: on $[a,b]$ the net of the paper is that of $c(t)+(b-a)c'(t)$.
-    Hypotheses: $a\ne b$.
+    Hypotheses: $a\ne b$, so that the points of the curve have a meaning.
     Paper: speaks of $\lambda=1$, which is $[0,1]$. *)
 Theorem FJ07_7_interval n c a b : b - a != 0 ->
   pcurve n (interval a b n) (tangent_row n c) = pcurve n (interval a b n) c + (b - a)%:P *: pderiv (pcurve n (interval a b n) c).

@@ -31,7 +31,7 @@ Proof. by move=> sp lt_i; rewrite -unitfE; apply: sp; lia. Qed.
 
 (** FJ07.T1 piece: on a piece, $c[v_1,\dots,v_{n-1},\Lambda^{*}]=d[v_1,\dots,v_{n-1},M^{*}]$ for all $v_i$ iff equation (13)
     holds for its $n$ cells.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_T1_piece u n L M c d : span n u ->
   related u n L M c d <-> forall i, (i < n)%N -> cell u n L M c d i.
 Proof.
@@ -100,7 +100,7 @@ apply: (@blossom_agree (shift u) _ _ [::]) => w; rewrite size_nseq => sz.
 by have /rowP/(_ k) := rel w (congr1 S sz); rewrite !mxE /= sz.
 Qed.
 
-(** FJ07.12 aumann: $(1-\Lambda)C_i+\Lambda C_{i+1}=(1-M)D_i+MD_{i+1}$ is equation (13) on the knots $0,\dots,0,1,\dots,1$. *)
+(** FJ07.12 aumann: $(1-\Lambda)C_i+\Lambda C_{i+1}=(1-M)D_i+MD_{i+1}$, $i=0..n-1$, is equation (13) on the knots $0,\dots,0,1,\dots,1$. *)
 Theorem FJ07_12_aumann n L M c d i : (i < n)%N ->
   cell (bez n) n L M c d i <-> (1 - L) *: c i + L *: c i.+1 = (1 - M) *: d i + M *: d i.+1.
 Proof. by move=> lt_i; rewrite /cell /bez leq_addl leqNgt lt_i subr0 subr0. Qed.
@@ -144,7 +144,7 @@ Qed.
 End Piece.
 
 (** FJ07.T1 developable: the relation of Theorem 1 implies that the surface is developable.
-    Hypotheses: the knots carry the piece. $\Lambda^{*}$ and $M^{*}$ may be any, equal or at knots.
+    Hypotheses: the knots carry the piece, so that its points have a meaning. $\Lambda^{*}$ and $M^{*}$ may be any, equal or at knots.
     Paper: "generic"; nothing generic is needed in this direction. *)
 Theorem FJ07_T1_developable (F : fieldType) (u : nat -> F) n L M (c d : nat -> 'rV[F]_3) :
   span n u -> related u n L M c d -> developable (pcurve n u c) (pcurve n u d).

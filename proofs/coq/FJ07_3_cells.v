@@ -32,7 +32,7 @@ by apply: eq_of_diff; by_entries k; field.
 Qed.
 
 (** FJ07.18 recursion: these $l$, $\mu$ obey (18) from cell to cell.
-    Hypotheses: $M^{*}\ne u_{i-2},u_{i-1}$ and $u_{i+n-2}\ne u_{i-2}$.
+    Hypotheses: $M^{*}\ne u_{i-1}$ and $u_{i+n-2}\ne u_{i-2}$; $M^{*}\ne u_{i-2}$, so that $l$, $\mu$ have a meaning.
     Paper: states none of them. *)
 Theorem FJ07_18_recursion a b p q L M : M - a != 0 -> M - b != 0 -> p - a != 0 ->
   next_l a b p ((L - a) / (M - a)) ((M - p) / (M - a)) = (L - b) / (M - b) /\
@@ -43,7 +43,7 @@ by rewrite /next_l /next_mu eq_D; split; field; rewrite na nb np.
 Qed.
 
 (** FJ07.18 cylinder: $l=1$ passes from a cell to the next, and back.
-    Hypotheses: the denominator of (18) is not 0; $u_{i+n-2}\ne u_{i-2}$. *)
+    Hypotheses: $u_{i+n-2}\ne u_{i-2}$; the denominator of (18) is not 0, so that the next $l$ has a meaning. *)
 Theorem FJ07_18_cylinder a b p l mu : D a b p mu != 0 -> p - a != 0 -> next_l a b p l mu = 1 <-> l = 1.
 Proof.
 rewrite /next_l /D => nd np; have eq_l : (mu * (b - a) + l * (p - a) - b + a) / (p - b + mu * (b - a)) - 1
@@ -54,7 +54,7 @@ by move/eqP.
 Qed.
 
 (** FJ07.18 cone: $\mu=1$ passes from a cell to the next, and back.
-    Hypotheses: the denominator of (18) is not 0; $u_{i+n-1}\ne u_{i-1}$. *)
+    Hypotheses: $u_{i+n-1}\ne u_{i-1}$; the denominator of (18) is not 0, so that the next $\mu$ has a meaning. *)
 Theorem FJ07_18_cone a b p q mu : D a b p mu != 0 -> q - b != 0 -> next_mu a b p q mu = 1 <-> mu = 1.
 Proof.
 rewrite /next_mu /D => nd nq; have eq_m : (p - q + mu * (q - a)) / (p - b + mu * (b - a)) - 1
@@ -67,7 +67,7 @@ by move/eqP.
 Qed.
 
 (** FJ07.18 cone_same: where $\mu=1$ the next cell has the same $l$.
-    Hypotheses: $u_{i+n-2}\ne u_{i-2}$, which is the denominator of (18). *)
+    Hypotheses: $u_{i+n-2}\ne u_{i-2}$: the denominator of (18) is $u_{i+n-2}-u_{i-2}$, so that the next $l$ has a meaning. *)
 Theorem FJ07_18_cone_same a b p l : p - a != 0 -> next_l a b p l 1 = l.
 Proof. by rewrite /next_l /D => h; field; rewrite (_ : p - b + (b - a) = p - a) //; ring. Qed.
 

@@ -13,7 +13,7 @@ Implicit Types (u lam mu : nat -> F) (n k K : nat) (L M : F).
 
 (** FJ07.11 closed: from any $(\lambda_1,\mu_1)$, cones included, $\lambda_k-1=(\lambda_1-1)\Delta u_{n-1}/e_k$,
     $\mu_k-1=(\mu_1-1)\Delta u_{n+k-2}/e_k$ with $e_k=\Delta u_{n-1}+(1-\mu_1)(u_{n-1}-u_{n+k-2})\ne0$.
-    Hypotheses: no piece is empty and $\mu_1,\dots,\mu_{k-1}\ne0$. *)
+    Hypotheses: no piece is empty and $\mu_1,\dots,\mu_{k-1}\ne0$, so that the quotients of (11) have a meaning. *)
 Theorem FJ07_11_closed u lam mu n K (e := fun k => len u n 0 + (1 - mu 0%N) * (u (n + 0)%N - u (n + k)%N)) :
   (forall k, (k <= K)%N -> len u n k != 0) -> (forall k, (k < K)%N -> mu k != 0) ->
   (forall k, (k < K)%N -> mu k.+1 = 1 + len u n k.+1 / len u n k * (1 - (mu k)^-1)) ->
@@ -34,7 +34,7 @@ by move: (e k) (e k.+1) (len u n k) (len u n k.+1) e0 e1 l0 => a b l l' a0 b0 l0
 Qed.
 
 (** FJ07.11 backward: $\mu_{k-1}=\left(1-\frac{\Delta u_{n+k-3}}{\Delta u_{n+k-2}}(\mu_k-1)\right)^{-1}$, $\lambda_{k-1}=1+\mu_{k-1}(\lambda_k-1)$.
-    Hypotheses: neither piece is empty and $\mu_{k-1}\ne0$. *)
+    Hypotheses: piece $k$ is not empty; nor is piece $k-1$ and $\mu_{k-1}\ne0$, so that $\lambda_k$, $\mu_k$ have a meaning. *)
 Theorem FJ07_11_backward (l l' lam mu : F) (mu' := 1 + l' / l * (1 - mu^-1)) (lam' := (lam + mu - 1) / mu) :
   l != 0 -> l' != 0 -> mu != 0 -> (1 - l / l' * (mu' - 1))^-1 = mu /\ 1 + mu * (lam' - 1) = lam.
 Proof.
@@ -43,7 +43,7 @@ by rewrite invrK /lam'; split=> //; field.
 Qed.
 
 (** FJ07.11 parallel: $\lambda_k=\Lambda_k/M_k=1$ iff $\Lambda^{*}=M^{*}$, whatever the piece.
-    Hypotheses: the piece is not empty; $M^{*}$ is not its start, $M_k\ne0$. *)
+    Hypotheses: the piece is not empty and $M^{*}$ not its start, $M_k\ne0$, so that the quotients have a meaning. *)
 Theorem FJ07_11_parallel u n k L M : len u n k != 0 -> local u n k M != 0 -> local u n k L / local u n k M = 1 <-> L = M.
 Proof.
 move=> l0 m0; split=> [e|->]; last by rewrite divff.
@@ -52,7 +52,7 @@ by rewrite FJ07_10_star.
 Qed.
 
 (** FJ07.11 no_cone: no $M^{*}$ has $\mu_k=1-1/M_k=1$: the cones of (11) have no relation of Theorem 1.
-    Hypotheses: $M_k\ne0$. *)
+    Hypotheses: $M_k\ne0$, so that $1/M_k$ has a meaning. *)
 Theorem FJ07_11_no_cone (M : F) : M != 0 -> 1 - M^-1 != 1.
 Proof. by move=> m0; rewrite -subr_eq0 addrAC subrr add0r oppr_eq0 invr_neq0. Qed.
 End Classes.

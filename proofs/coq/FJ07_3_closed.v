@@ -5,7 +5,7 @@
      prev_l, prev_mu            the coefficients of the cell before, from those of a cell
      obeys u n l mu K           l_i, mu_i obey (18) up to the cell K, and no denominator vanishes *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4 FJ07_3_net FJ07_3_cells FJ07_2_cones FJ07_3_generic FJ07_3_segments.
+From Torse Require Import Blossom Curves Points FJ21_4 FJ07_3_net FJ07_3_blossoms FJ07_3_cells FJ07_2_cones FJ07_3_generic FJ07_3_segments.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -26,29 +26,38 @@ Definition obeys u n l mu K := forall i, (i < K)%N -> [/\ D (u i) (u i.+1) (u (i
 
 (** FJ07.18 closed: (18) from the first cell $(l_1,\mu_1)$ gives $l_i=G(u_{i-1})/E(u_{i-1})$, $\mu_i=E(u_{i+n-1})/E(u_{i-1})$ with
     $E(x)=u_n-u_0+(1-\mu_1)(u_0-x)$, $G(x)=l_1(u_n-u_0)+(1-\mu_1)(u_0-x)$, and $E(u_{i-1})\ne0$.
-    Hypotheses: no denominator of (18) vanishes up to the cell; $u_{i+n-1}\ne u_{i-1}$. *)
+    Hypotheses: $u_n\ne u_0$; no denominator of (18) vanishes up to the cell, so that its coefficients have a meaning. *)
 Theorem FJ07_18_closed u n l mu K (e := E (u 0%N) (u n) (mu 0%N)) (g := G (u 0%N) (u n) (l 0%N) (mu 0%N)) :
-  (forall i, (i <= K)%N -> u (i + n)%N - u i != 0) -> obeys u n l mu K ->
+  u n - u 0%N != 0 -> obeys u n l mu K ->
   forall i, (i <= K)%N -> [/\ e (u i) != 0, l i = g (u i) / e (u i) & mu i = e (u (i + n)%N) / e (u i)].
 Proof.
 move=> width rec; elim=> [_|i ih lt_i].
-  have := width 0%N isT; rewrite add0n /e /g /E /G !subrr mulr0 !addr0 => w0; split=> //; first by field.
-  by field.
-have [e0 l_i m_i] := ih (ltnW lt_i); have [d0 -> ->] := rec i lt_i; have := width i (ltnW lt_i); have := width i.+1 lt_i.
-rewrite addSn => w1 w0; have eD : D (u i) (u i.+1) (u (i + n)%N) (mu i) = e (u i.+1) * (u (i + n)%N - u i) / e (u i).
+  by rewrite add0n /e /g /E /G !subrr mulr0 !addr0; split=> //; field.
+have [e0 l_i m_i] := ih (ltnW lt_i); have [d0 -> ->] := rec i lt_i.
+have eD : D (u i) (u i.+1) (u (i + n)%N) (mu i) = e (u i.+1) * (u (i + n)%N - u i) / e (u i).
   by rewrite m_i /D; move: e0; rewrite /e /E; move: (u 0%N) (u n) (u i) (u i.+1) (u (i + n)%N) => *; field.
-have e1 : e (u i.+1) != 0 by move: d0; rewrite eD; apply: contraNneq => ->; rewrite !mul0r.
-rewrite /next_l /next_mu eD l_i m_i; move: e0 e1 w0 w1; rewrite /e /g /E /G.
-move: (u 0%N) (u n) (u i) (u i.+1) (u (i + n)%N) (u (i + n).+1) (mu 0%N) (l 0%N) => u0 un a b p q m k e0 e1 w0 w1.
+have [e1 w0] : e (u i.+1) != 0 /\ u (i + n)%N - u i != 0.
+  by move: d0; rewrite eD !mulf_eq0 !negb_or => /andP[/andP[]].
+rewrite addSn /next_l /next_mu eD l_i m_i; move: e0 e1 w0; rewrite /e /g /E /G.
+move: (u 0%N) (u n) (u i) (u i.+1) (u (i + n)%N) (u (i + n).+1) (mu 0%N) (l 0%N) => u0 un a b p q m k e0 e1 w0.
 by split=> //; field; rewrite e0 e1 w0.
 Qed.
 
+Lemma obeys_width u n l mu K : u n - u 0%N != 0 -> obeys u n l mu K -> forall i, (i < K)%N -> u (i + n)%N - u i != 0.
+Proof.
+move=> w0 rec i lt_i; have [e0 _ m_i] := FJ07_18_closed w0 rec (ltnW lt_i); have [e1 _ _] := FJ07_18_closed w0 rec lt_i.
+have [d0 _ _] := rec i lt_i; apply: contraNneq d0 => /eqP; rewrite subr_eq0 => /eqP e.
+by rewrite m_i e divff // /D mul1r subrKA subrr.
+Qed.
+
 (** FJ07.18 classes: $l_i=1$ in one cell iff in all, and $\mu_i=1$ in one cell iff in all, and then all $l_i$ are equal.
-    Hypotheses: no denominator of (18) vanishes; $u_{i+n-1}\ne u_{i-1}$. *)
-Theorem FJ07_18_classes u n l mu K i j : (forall r, (r <= K)%N -> u (r + n)%N - u r != 0) -> obeys u n l mu K ->
+    Hypotheses: $u_{i+n-1}\ne u_{i-1}$ in the first and in the last cell; no denominator of (18) vanishes, so that it has a meaning. *)
+Theorem FJ07_18_classes u n l mu K i j : u n - u 0%N != 0 -> u (K + n)%N - u K != 0 -> obeys u n l mu K ->
   (i <= K)%N -> (j <= K)%N -> [/\ l i = 1 -> l j = 1, mu i = 1 -> mu j = 1 & mu i = 1 -> l i = l j].
 Proof.
-move=> width rec le_i le_j; have closed := FJ07_18_closed width rec; have w0 := width 0%N isT; rewrite add0n in w0.
+move=> w0 wK rec le_i le_j; have closed := FJ07_18_closed w0 rec.
+have width r : (r <= K)%N -> u (r + n)%N - u r != 0.
+  by rewrite leq_eqVlt => /predU1P[->|] //; exact: obeys_width w0 rec r.
 have l1 r : (r <= K)%N -> (l r == 1) = (l 0%N == 1).
   move=> /closed[e0 -> _]; rewrite -[RHS]subr_eq0 -[LHS]subr_eq0; set e := E _ _ _ _ in e0 *.
   have -> : G (u 0%N) (u n) (l 0%N) (mu 0%N) (u r) / e - 1 = (l 0%N - 1) * ((u n - u 0%N) / e).
@@ -67,7 +76,7 @@ Qed.
 
 (** FJ07.18 backward: the cell before has $l=G'(u_{i-2})/E'(u_{i-2})$, $\mu=E'(u_{i+n-2})/E'(u_{i-2})$ with
     $E'(x)=u_{i+n-1}-u_{i-1}+(1-\mu_i)(u_{i-1}-x)$, $G'(x)=l_i(u_{i+n-1}-u_{i-1})+(1-\mu_i)(u_{i-1}-x)$, so that any cell gives all.
-    Hypotheses: the denominator of (18) is not 0; $u_{i+n-2}\ne u_{i-2}$, $u_{i+n-1}\ne u_{i-1}$. *)
+    Hypotheses: $u_{i+n-2}\ne u_{i-2}$, $u_{i+n-1}\ne u_{i-1}$; the denominator of (18) is not 0, so that it has a meaning. *)
 Theorem FJ07_18_backward a b p q (l m : F) (l' := next_l a b p l m) (m' := next_mu a b p q m) : D a b p m != 0 -> p - a != 0 -> q - b != 0 ->
   [/\ E b q m' a != 0, prev_l a b q l' m' = l & prev_mu a b p q m' = m].
 Proof.
@@ -79,7 +88,7 @@ Qed.
 
 (** FJ07.18 parameters: for $\mu_1\ne1$ these are $E(x)=(1-\mu_1)(M^{*}-x)$, $G(x)=(1-\mu_1)(\Lambda^{*}-x)$ with
     $M^{*}=u_0+\frac{u_n-u_0}{1-\mu_1}$, $\Lambda^{*}=u_0+l_1\frac{u_n-u_0}{1-\mu_1}$.
-    Hypotheses: $\mu_1\ne1$; for $\mu_1=1$, a cone, both are constant. *)
+    Hypotheses: $\mu_1\ne1$, so that the quotients have a meaning; for $\mu_1=1$, a cone, $E$ and $G$ are constant. *)
 Theorem FJ07_18_parameters a p (l m : F) x : 1 - m != 0 ->
   E a p m x = (1 - m) * (a + (p - a) / (1 - m) - x) /\ G a p l m x = (1 - m) * (a + l * ((p - a) / (1 - m)) - x).
 Proof. by rewrite /E /G => nz; split; field. Qed.
@@ -91,15 +100,15 @@ Implicit Types (u l mu : nat -> F) (c d : nat -> 'rV[F]_m) (n i K : nat).
 
 (** FJ07.18 net: cells whose coefficients obey (18) obey (13) with these $\Lambda^{*}$, $M^{*}$ if $\mu_1\ne1$; if $\mu_1=1$ they have
     proportional sides, $d_i-d_{i-1}=l_1(c_i-c_{i-1})$.
-    Hypotheses: no denominator of (18) vanishes; $u_{i+n-1}\ne u_{i-1}$. *)
+    Hypotheses: $u_n\ne u_0$; no denominator of (18) vanishes, so that it has a meaning. *)
 Theorem FJ07_18_net u n l mu c d K (M := u 0%N + (u n - u 0%N) / (1 - mu 0%N)) (L := u 0%N + l 0%N * ((u n - u 0%N) / (1 - mu 0%N))) :
-  (forall i, (i <= K)%N -> u (i + n)%N - u i != 0) -> obeys u n l mu K -> (forall i, (i <= K)%N -> bary (l i) (mu i) c d i) ->
+  u n - u 0%N != 0 -> obeys u n l mu K -> (forall i, (i <= K)%N -> bary (l i) (mu i) c d i) ->
   if mu 0%N == 1 then proportional (l 0%N) c d K.+1
   else forall i, (i <= K)%N -> M - u i != 0 /\ cell u n L M c d i.
 Proof.
 move=> width rec cells; have closed := FJ07_18_closed width rec; case: eqP => [m1 i lt_i|/eqP m1 i lt_i].
   have := cells i lt_i; have [_ -> ->] := closed i lt_i.
-  have := width 0%N isT; rewrite add0n => w0; rewrite /E /G m1 subrr !mul0r !addr0 divff // mulfK //.
+  rewrite /E /G m1 subrr !mul0r !addr0 divff // mulfK //.
   by move/FJ07_18_cone_sides.
 have m1' : 1 - mu 0%N != 0 by rewrite subr_eq0 eq_sym.
 have [e0 eq_l eq_m] := closed i lt_i; have eE x := (FJ07_18_parameters (u 0%N) (u n) (l 0%N) x m1').1.
@@ -136,7 +145,7 @@ Proof. by move=> ex es e; rewrite [RHS]scalerDl -!scalerA -ex -es e; by_entries 
 
 (** FJ07.18 cone_vertex: if $\mu_i=1$ in all cells, with the same $l\ne1$, every line $c_id_i$ passes through $a=(lc_0-d_0)/(l-1)$:
     $d_i-a=l(c_i-a)$; and only then.
-    Hypotheses: $l\ne1$. *)
+    Hypotheses: $l\ne1$, so that there is such a point. *)
 Theorem FJ07_18_cone_vertex (l : F) c d K (a := vertex l c d) : l - 1 != 0 ->
   (forall i, (i < K)%N -> bary l 1 c d i) <-> forall i, (i <= K)%N -> d i - a = l *: (c i - a).
 Proof.
@@ -146,7 +155,8 @@ Qed.
 
 (** FJ07.18 cone_converse: if the lines $c_id_i$ of two neighbouring cells that obey (18) pass through one point $a$, $d_j-a=\rho_j(c_j-a)$, both
     cells have $\mu=1$.
-    Hypotheses: $l\ne1$; $c_i-a$, $c_{i+1}-a$ are independent in both cells; the denominator of (18) is not 0; $u_{i+n-1}\ne u_{i-2}$. *)
+    Hypotheses: $l\ne1$; $c_i-a$, $c_{i+1}-a$ are independent in both cells; $u_{i+n-1}\ne u_{i-2}$; the denominator of (18) is not 0, so that the second cell
+    has a meaning. *)
 Theorem FJ07_18_cone_converse (a b p q l mu : F) c d (o : 'rV[F]_m) (rho : nat -> F) i : l != 1 -> D a b p mu != 0 -> q - a != 0 ->
   (forall j x y, (i <= j <= i.+1)%N -> x *: (c j - o) + y *: (c j.+1 - o) = 0 -> x = 0 /\ y = 0) ->
   (forall j, (i <= j <= i.+2)%N -> d j - o = rho j *: (c j - o)) ->
@@ -174,14 +184,19 @@ Qed.
 End Nets.
 
 (** FJ07.18 developable: every first cell $(l_1,\mu_1)$, that of a cone included, makes a net that spans developable surfaces over all its pieces.
-    Hypotheses: no denominator of (18) vanishes; $u_{i+n-1}\ne u_{i-1}$. *)
-Theorem FJ07_18_developable (F : fieldType) (u l mu : nat -> F) (c d : nat -> 'rV[F]_3) n N : (0 < n)%N -> (0 < N)%N ->
-  (forall i, (i <= (n + N.-1).-1)%N -> u (i + n)%N - u i != 0) -> obeys u n l mu (n + N.-1).-1 ->
+    Hypotheses: no denominator of (18) vanishes, so that it has a meaning; of the knots none, the pieces without length apart. *)
+Theorem FJ07_18_developable (F : fieldType) (u l mu : nat -> F) (c d : nat -> 'rV[F]_3) n N :
+  obeys u n l mu (n + N.-1).-1 ->
   (forall i, (i <= (n + N.-1).-1)%N -> bary (l i) (mu i) c d i) ->
   forall k, (k < N)%N -> span n (drop_ k u) -> developable (pcurve n (drop_ k u) (drop_ k c)) (pcurve n (drop_ k u) (drop_ k d)).
 Proof.
-move=> n0 N0 width rec cells k lt_k sp; have := FJ07_18_net width rec cells; case: eqP => [_ sides | _ cells'].
-  by have [|_ dev] := FJ07_6_developable _ sp sides; [lia | exact: dev].
-apply: (FJ07_C2_developable _ lt_k sp) => i lt_i.
-by have [|_ h] := cells' i; [lia | exact: h].
+case: n => [|n] rec cells k lt_k sp; first by rewrite /developable !pderiv_curve // !mulr0n; coordinates; ring.
+have w0 : drop_ k u n.+1 - drop_ k u 0%N != 0 by rewrite -unitfE; apply: sp; lia.
+have rec_k : obeys (drop_ k u) n.+1 (drop_ k l) (drop_ k mu) n.
+  by move=> i lt_i; have [|] := rec (k + i)%N; [lia | rewrite /drop_ !addnS addnA].
+have cells_k i : (i <= n)%N -> bary (drop_ k l i) (drop_ k mu i) (drop_ k c) (drop_ k d) i.
+  by move=> le_i; rewrite /bary /drop_ addnS; apply: cells; lia.
+have := FJ07_18_net w0 rec_k cells_k; case: eqP => [_ sides|_ net_k].
+  exact: (@FJ07_6_developable F n.+1 (drop_ k u) (drop_ k c) (drop_ k d) _ n.+1 0%N (leqnn _) sp sides).2.
+by apply: (FJ07_T1_developable sp); apply/(FJ07_T1_piece _ _ _ _ sp) => i lt_i; have [_ cell_i] := net_k i lt_i; exact: cell_i.
 Qed.

@@ -51,7 +51,7 @@ Qed.
 
 (** FJ07.19 cone: a piece of the spline has proportional sides, $d_{i+1}-d_i=\alpha(c_{i+1}-c_i)$, iff its Bezier net has, with the same $\alpha$:
     equation (12) with $\lambda=\alpha$ and $\mu=1$, where there are no $\Lambda_k$ and $M_k$.
-    Hypotheses: the knots carry the piece.
+    Hypotheses: the knots carry the piece, so that its points have a meaning.
     Paper: says that (18) holds for cones too, and gives the Bezier nets by $\Lambda_k$, $M_k$ only. *)
 Theorem FJ07_19_cone u n k al c d (C := bezier_net u n k c) (D := bezier_net u n k d) : span n.+1 (drop_ k u) ->
   proportional al (drop_ k c) (drop_ k d) n.+1 <-> proportional al C D n.+1.

@@ -25,7 +25,7 @@ Proof. by rewrite /cell /shift addnS. Qed.
 (** FJ07.T1 edge: the nets of (13) with $\Lambda^{*}\ne M^{*}$ are those of the tangents of a spline $r$ of degree $n+1$, the edge of
     regression: with a further knot at each end and $w_i=u_{i-1}$ the points $c_i$, $d_i$ are
     $\frac{(w_{i+n+1}-x)r_i+(x-w_i)r_{i+1}}{w_{i+n+1}-w_i}$ for $x=M^{*}$ and $x=\Lambda^{*}$, and every polygon $r$ makes such a net.
-    Hypotheses: $\Lambda^{*}\ne M^{*}$, and $w_{i+n+1}\ne w_i$; neither has to be off the knots. *)
+    Hypotheses: $\Lambda^{*}\ne M^{*}$, and $w_{i+n+1}\ne w_i$; neither $\Lambda^{*}$ nor $M^{*}$ has to be off the knots. *)
 Theorem FJ07_T1_edge w n L M c d K : L - M != 0 -> (forall i, (i <= K)%N -> w (i + n.+1)%N - w i != 0) ->
   (forall i, (i < K)%N -> cell (shift w) n L M c d i) <-> exists r, on_sides w n M r c K /\ on_sides w n L r d K.
 Proof.
@@ -48,7 +48,7 @@ Qed.
 
 (** FJ07.T1 edge_blossom: then $c[v_1,\dots,v_n]=r[M^{*},v_1,\dots,v_n]$, so that $c(t)$ is the point $M^{*}$, and $d(t)$ the point
     $\Lambda^{*}$, on the tangent of $r$ at $t$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_T1_edge_blossom w n x r c v : span n.+1 w -> size v = n -> on_sides w n x r c n ->
   pblossom (shift w) c v = pblossom w r (at_ x :: v).
 Proof.
@@ -72,7 +72,7 @@ Definition last_but_one u n k t e c : 'rV[F]_m := pblossom (drop_ k u) (drop_ k 
 
 (** FJ07.9 points: on piece $k=[a,b]$, with $c_0^{n-1}=c[t^{\langle n-1\rangle},a]$, $c_1^{n-1}=c[t^{\langle n-1\rangle},b]$:
     $(1-\Lambda_k)c_0^{n-1}+\Lambda_kc_1^{n-1}=(1-M_k)d_0^{n-1}+M_kd_1^{n-1}$ for all $t$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_9_points u n k L M c d t (a := u (n + k)%N) (b := u (n + k).+1) (Lam := local u n k L) (Mu := local u n k M) :
   span n.+1 (drop_ k u) -> related (drop_ k u) n.+1 L M (drop_ k c) (drop_ k d) ->
   (1 - Lam) *: last_but_one u n k t a c + Lam *: last_but_one u n k t b c
@@ -85,7 +85,7 @@ by rewrite !(blossoms_affine _ _ [::]) /last_but_one !mxE.
 Qed.
 
 (** FJ07.9 barycentric: that is $d_1^{n-1}=(1-\lambda-\mu)c_0^{n-1}+\lambda c_1^{n-1}+\mu d_0^{n-1}$, $\lambda=\Lambda_k/M_k$, $\mu=1-1/M_k$.
-    Hypotheses: the knots carry the piece; $M^{*}$ is not its start. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning; $M^{*}$ is not its start, so that $\lambda$, $\mu$ have a meaning. *)
 Theorem FJ07_9_barycentric u n k L M c d t (a := u (n + k)%N) (b := u (n + k).+1) (Lam := local u n k L) (Mu := local u n k M)
     (lam := Lam / Mu) (mu := 1 - Mu^-1) :
   span n.+1 (drop_ k u) -> M != a -> related (drop_ k u) n.+1 L M (drop_ k c) (drop_ k d) ->
@@ -100,7 +100,7 @@ End Points.
 
 (** FJ07.3 points: $[d',c',d-c]=\left(\frac n{b-a}\right)^2[c_1^{n-1}-c_0^{n-1},d_0^{n-1}-c_0^{n-1},d_1^{n-1}-c_0^{n-1}]$ on a piece $[a,b]$:
     the condition (3) says that the four last but one points of de Boor's algorithm are coplanar.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_3_points (F : fieldType) (u : nat -> F) n k (c d : nat -> 'rV[F]_3) t (a := u (n + k)%N) (b := u (n + k).+1)
     (c0 := last_but_one u n k t a c) (c1 := last_but_one u n k t b c) (d0 := last_but_one u n k t a d) (d1 := last_but_one u n k t b d)
     (C := pcurve n.+1 (drop_ k u) (drop_ k c)) (D := pcurve n.+1 (drop_ k u) (drop_ k d)) : span n.+1 (drop_ k u) ->

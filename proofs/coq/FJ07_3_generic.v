@@ -78,7 +78,7 @@ Lemma ev_linear m (p q : 'rV[{poly F}]_m) A B t : ev (A *: p - B *: q) t = A.[t]
 Proof. by apply/rowP=> k; rewrite !mxE hornerD hornerN !hornerM. Qed.
 
 (** FJ07.T1 functions: where $e(d-c)=Ac'-Bd'$ and $e(t)\ne0$, the relation (9) holds with $\Lambda(t)=t+nA(t)/e(t)$, $M(t)=t+nB(t)/e(t)$.
-    Hypotheses: $n\ne0$ in the field; $e(t)\ne0$. *)
+    Hypotheses: $n\ne0$ in the field and $e(t)\ne0$, so that the quotients have a meaning. *)
 Theorem FJ07_T1_functions n e A B C D t : n%:R != 0 :> F -> e.[t] != 0 -> tangents_meet e A B C D ->
   related_at n C D t (t + n%:R * A.[t] / e.[t]) (t + n%:R * B.[t] / e.[t]) 1.
 Proof.
@@ -89,7 +89,7 @@ by apply: (by_multiple (z := - E^-1) eq_P); field; rewrite e0 n0.
 Qed.
 
 (** FJ07.T1 unique: $\Lambda(t)$ and $M(t)$ are the only ones.
-    Hypotheses: $c'(t)\times d'(t)\ne0$; $n\ne0$ in the field. *)
+    Hypotheses: $c'(t)\times d'(t)\ne0$; $n\ne0$ in the field, so that the relation, which divides by $n$, has a meaning. *)
 Theorem FJ07_T1_unique n C D t L M L' M' : n%:R != 0 :> F -> cross (ev (pderiv C) t) (ev (pderiv D) t) != 0 ->
   related_at n C D t L M 1 -> related_at n C D t L' M' 1 -> L = L' /\ M = M'.
 Proof.
@@ -112,7 +112,7 @@ Proof. by rewrite /related_at scale1r. Qed.
 
 (** FJ07.T1 joint: where two pieces join with the same points and derivatives $c,c',d,d'$ (class $C^1$), both have the same $\Lambda^{*}$ and
     $M^{*}$, which is (10).
-    Hypotheses: $c'(t)\times d'(t)\ne0$ at the joint; $n\ne0$ in the field.
+    Hypotheses: $c'(t)\times d'(t)\ne0$ at the joint; $n\ne0$ in the field, so that the relation has a meaning.
     Paper: "the final surface is at least C^1". *)
 Theorem FJ07_T1_joint n (C D C' D' : 'rV[{poly F}]_3) t L M L' M' : n%:R != 0 :> F -> cross (ev (pderiv C) t) (ev (pderiv D) t) != 0 ->
   ev C t = ev C' t -> ev D t = ev D' t -> ev (pderiv C) t = ev (pderiv C') t -> ev (pderiv D) t = ev (pderiv D') t ->
@@ -123,7 +123,7 @@ by move: rel'; rewrite /related_at /tangent -ec -ed -ec' -ed'.
 Qed.
 
 (** FJ07.T1 cone_needs_curve: on a straight line through the vertex, $c=a+tw$, there are such values.
-    Hypotheses: $n\ne0$ in the field. *)
+    Hypotheses: $n\ne0$ in the field, so that the relation has a meaning. *)
 Theorem FJ07_T1_cone_needs_curve n (a w : 'rV[F]_3) (al : F) t (C := fixed a + 'X *: fixed w) : n%:R != 0 :> F ->
   related_at n C (fixed a + al%:P *: (C - fixed a)) t (t + n%:R * ((al - 1) * t)) t 1.
 Proof.
@@ -163,7 +163,7 @@ by rewrite crossZl cross_self scaler0.
 Qed.
 
 (** FJ07.T1 translation_needs_curve: on the straight line $c=tw$ there are such values.
-    Hypotheses: $n\ne0$ in the field. *)
+    Hypotheses: $n\ne0$ in the field, so that the relation has a meaning. *)
 Theorem FJ07_T1_translation_needs_curve n (w : 'rV[F]_3) t : n%:R != 0 :> F ->
   related_at n ('X *: fixed w) ('X *: fixed w + fixed w) t (t + n%:R) t 1.
 Proof.
@@ -172,7 +172,7 @@ by move: (w 0 k) n%:R n0 => x N n0; field.
 Qed.
 
 (** FJ07.T1 tangents: the tangent surface of (7), $d=c+\lambda c'$, has $\Lambda(t)=t+n\lambda(t)$, $M(t)=t$.
-    Hypotheses: $n\ne0$ in the field. *)
+    Hypotheses: $n\ne0$ in the field, so that the relation has a meaning. *)
 Theorem FJ07_T1_tangents n C lam t : n%:R != 0 :> F -> related_at n C (C + lam *: pderiv C) t (t + n%:R * lam.[t]) t 1.
 Proof.
 move=> n0; apply/rowP=> k; rewrite !mxE subrr mul0r mul0r addr0 mul1r hornerD hornerM.
@@ -185,11 +185,13 @@ Variable F : fieldType.
 Implicit Types (u : nat -> F) (c d : nat -> 'rV[F]_3) (n : nat) (L M : F).
 
 (** FJ07.T1 straight: if the tangent surface $d=c+\lambda c'$, $\lambda\ne0$, obeys Theorem 1 with constants, $c$ is a straight line.
-    Hypotheses: the knots carry the piece. *)
-Theorem FJ07_T1_straight n u L M c d lam : span n u -> (0 < n)%N -> lam != 0 -> related u n L M c d ->
+    Hypotheses: $\lambda\ne0$; the knots carry the piece, so that its points have a meaning. *)
+Theorem FJ07_T1_straight n u L M c d lam : span n u -> lam != 0 -> related u n L M c d ->
   pcurve n u d = pcurve n u c + lam *: pderiv (pcurve n u c) -> cross (pderiv (pderiv (pcurve n u c))) (pderiv (pcurve n u c)) = 0.
 Proof.
-move=> sp n0 l0 rel eq_d; have := congr1 (fun p => p *+ n) (FJ07_9_curve n0 rel).
+case: (posnP n) => [-> sp _ _ _|n0 sp l0 rel eq_d].
+  by rewrite (pderiv_curve c sp) mulr0n; apply: row3P; coordinates; rewrite !mulr0 subrr.
+have := congr1 (fun p => p *+ n) (FJ07_9_curve n0 rel).
 rewrite !mulrnDl !scalerMnr -!pderiv_curve // eq_d.
 move: (pcurve n u c) => C; rewrite (_ : pderiv (C + lam *: pderiv C) = (1 + lam^`()) *: pderiv C + lam *: pderiv (pderiv C)); last first.
   by apply/rowP=> k; rewrite !mxE derivD derivM; move: (C 0 k)^`() => x; ring.
@@ -217,7 +219,7 @@ have eq_c : pcurve n (step01 F n) c = p by exact: pcurve_onto.
 have curve_bez (a : nat -> 'rV[F]_3) : pcurve n (step01 F n) a = pbez n a.
   by apply/rowP=> k; rewrite !mxE bezier_curve.
 exists c, (tangent_row n c); rewrite FJ07_7_net -[pderiv _]scale1r; split; first exact: FJ07_7_developable.
-move=> L M rel; have := @FJ07_T1_straight n _ L M c _ 1 (@span_step01 F n) (ltnW (ltnW lt_n)) (oner_neq0 _) rel.
+move=> L M rel; have := @FJ07_T1_straight n _ L M c _ 1 (@span_step01 F n) (oner_neq0 _) rel.
 rewrite !curve_bez FJ07_7_net scale1r => /(_ erefl); rewrite -curve_bez eq_c.
 have [x1 y1] : x_ (pderiv p) = 1 /\ y_ (pderiv p) = 'X + 'X.
   by rewrite /x_ /y_ /pderiv !mxE derivX derivXn /= mulr2n.

@@ -115,13 +115,18 @@ Proof. by rewrite -subr_eq0; case: x => a w d; rewrite /comb /at_ /=; congr (_, 
 
 (** FJ07.13 smooth: at an inner knot $M^{*}=u_{k+n}$ between two pieces, and for $\Lambda^{*}\ne M^{*}$, equation (13) in the cells $k,\dots,k+n$ of both pieces asks
     that they are one polynomial, $c_k[v_1,\dots,v_n]=c_{k+1}[v_1,\dots,v_n]$: a spline with a knot there that it needs has no net with this $M^{*}$.
-    Hypotheses: $\Lambda^{*}\ne M^{*}$; the knots carry both pieces (so the knot is simple).
+    Hypotheses: $\Lambda^{*}\ne M^{*}$; the knots carry both pieces (so the knot is simple), so that their points have a meaning.
     Paper: passes over it. *)
-Theorem FJ07_13_smooth m u n k L M (c d : nat -> 'rV[F]_m) v : (0 < n)%N -> M = u (k + n)%N -> L != M ->
+Theorem FJ07_13_smooth m u n k L M (c d : nat -> 'rV[F]_m) v : M = u (k + n)%N -> L != M ->
   span n (drop_ k u) -> span n (drop_ k.+1 u) -> (forall i, (k <= i <= k + n)%N -> cell u n L M c d i) ->
   size v = n -> pblossom (drop_ k u) (drop_ k c) v = pblossom (drop_ k.+1 u) (drop_ k.+1 c) v.
 Proof.
-case: n => // n _ eM LM sp sp' cells; case: v => // x v [sz].
+case: n => [|n] eM LM sp sp' cells sz.
+  case: v sz => [|//] _; have := cells k; rewrite addn0 leqnn => /(_ isT).
+  rewrite /cell addn0 eM addn0 subrr !scale0r addr0 -opprB scaleNr addrC -scalerBr => /eqP; rewrite scaler_eq0.
+  rewrite subr_eq0 -(addn0 k) -eM (negPf LM) addn0 /= subr_eq0 => /eqP e.
+  by apply/rowP=> j; rewrite !mxE /coord /drop_ /= !addn0 e.
+case: v sz => // x v [sz].
 have shiftE (T : Type) (w : nat -> T) i : shift (drop_ k w) i = drop_ k.+1 w i by rewrite /shift /drop_ addnS.
 have sps : span n.+1 (shift (drop_ k u)) by move=> i j h1 h2; rewrite !shiftE; apply: sp'.
 have atM (b : nat -> 'rV[F]_m) l : blossom (drop_ k u) (coord (drop_ k b) l) (at_ M :: v) = blossom (drop_ k.+1 u) (coord (drop_ k.+1 b) l) (at_ M :: v).

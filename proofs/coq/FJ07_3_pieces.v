@@ -25,7 +25,7 @@ Theorem FJ07_10_star u n k x : len u n k != 0 ->
 Proof. by rewrite /local /len => h; field. Qed.
 
 (** FJ07.10 recursion: $\Lambda_k=\frac{\Delta u_{n+k-3}}{\Delta u_{n+k-2}}(\Lambda_{k-1}-1)$; $M_k$ likewise.
-    Hypotheses: both pieces are not empty. *)
+    Hypotheses: piece $k-1$ is not empty, nor is piece $k$, so that $\Lambda_k$ has a meaning. *)
 Theorem FJ07_10_recursion u n k x : len u n k != 0 -> len u n k.+1 != 0 ->
   local u n k.+1 x = len u n k / len u n k.+1 * (local u n k x - 1).
 Proof.
@@ -34,13 +34,13 @@ by field; rewrite ?h ?h'.
 Qed.
 
 (** FJ07.10 jump: $\Lambda_k=(\Delta u_{n+j-2}\Lambda_j+u_{n+j-2}-u_{n+k-2})/\Delta u_{n+k-2}$ for any pieces $j,k$.
-    Hypotheses: piece $j$ is not empty. *)
+    Hypotheses: piece $j$ is not empty; nor is piece $k$, where $\Lambda_k$ is to have a meaning. *)
 Theorem FJ07_10_jump u n j k x : len u n j != 0 ->
   local u n k x = (len u n j * local u n j x + u (n + j)%N - u (n + k)%N) / len u n k.
 Proof. by move=> h; rewrite /local mulrCA mulfV // mulr1 subrK. Qed.
 
 (** FJ07.10 unique: a sequence that obeys the recursion comes from one $\Lambda^{*}$.
-    Hypotheses: no piece is empty. *)
+    Hypotheses: no piece is empty, so that the quotients have a meaning. *)
 Theorem FJ07_10_unique u n (Lam : nat -> F) K : (forall k, (k <= K)%N -> len u n k != 0) ->
   (forall k, (k < K)%N -> Lam k.+1 = len u n k / len u n k.+1 * (Lam k - 1)) ->
   forall k, (k <= K)%N -> Lam k = local u n k ((1 - Lam 0%N) * u (n + 0)%N + Lam 0%N * u (n + 0).+1).
@@ -51,7 +51,7 @@ Qed.
 
 (** FJ07.11 recursion: $\lambda_k=\Lambda_k/M_k$ and $\mu_k=1-1/M_k$ obey
     $\mu_k=1+\frac{\Delta u_{n+k-2}}{\Delta u_{n+k-3}}(1-1/\mu_{k-1})$, $\lambda_k=(\lambda_{k-1}+\mu_{k-1}-1)/\mu_{k-1}$.
-    Hypotheses: both pieces are not empty; $M_{k-1}\ne0$ and $M_k\ne0$, that is $\mu_{k-1}\ne0$: $M^{*}$ starts neither piece.
+    Hypotheses: both pieces are not empty, so that $\Lambda_k$, $M_k$ have a meaning; $M_{k-1}\ne0$ and $M_k\ne0$, that is $\mu_{k-1}\ne0$: $M^{*}$ starts neither piece.
     Paper: states none of them. *)
 Theorem FJ07_11_recursion u n k L M (Lam := local u n k L) (Mu := local u n k M)
     (Lam' := local u n k.+1 L) (Mu' := local u n k.+1 M) :
@@ -72,7 +72,7 @@ Hypothesis lam_rec : forall k, (k < K)%N -> lam k.+1 = (lam k + mu k - 1) / mu k
 Hypothesis mu_neq0 : forall k, (k < K)%N -> mu k != 0.
 
 (** FJ07.11 cylinder: $\lambda_k=1$ on one piece iff on all.
-    Hypotheses: $\mu_1,\dots,\mu_{N-1}\ne0$.
+    Hypotheses: $\mu_1,\dots,\mu_{N-1}\ne0$, so that the recursion has a meaning.
     Paper: "regardless of the values of $\mu$"; at $\mu_k=0$ the recursion stops. *)
 Theorem FJ07_11_cylinder j k : (j <= K)%N -> (k <= K)%N -> lam j = 1 -> lam k = 1.
 Proof.
@@ -84,7 +84,7 @@ by congr (_ == 0); ring.
 Qed.
 
 (** FJ07.11 cone: $\mu_k=1$ on one piece iff on all.
-    Hypotheses: no piece is empty and $\mu_1,\dots,\mu_{N-1}\ne0$. *)
+    Hypotheses: no piece is empty; $\mu_1,\dots,\mu_{N-1}\ne0$, so that the recursion has a meaning. *)
 Theorem FJ07_11_cone j k : (j <= K)%N -> (k <= K)%N -> mu j = 1 -> mu k = 1.
 Proof.
 suff iff0 k' : (k' <= K)%N -> (mu k' == 1) = (mu 0%N == 1).
@@ -95,8 +95,9 @@ by rewrite subr_eq0 eq_sym -{1}invr1 (inj_eq invr_inj).
 Qed.
 End Recursion.
 
-(** FJ07.11 needs_mu: at $\mu_k=0$ a cylinder's $\lambda_k=1$ does not pass on (with $x/0=0$ the next is 0, not 1). *)
-Theorem FJ07_11_needs_mu : exists lam mu : F, lam = 1 /\ (lam + mu - 1) / mu != 1.
-Proof. by exists 1, 0; split=> //; rewrite invr0 mulr0 eq_sym oner_neq0. Qed.
+(** FJ07.11 needs_mu: at $\mu_{k-1}=0$ and $\lambda_{k-1}=1$ the equation $\mu_{k-1}\lambda_k=\lambda_{k-1}+\mu_{k-1}-1$ holds for all $\lambda_k$, and
+    $\mu_{k-1}\mu_k=\mu_{k-1}+r(\mu_{k-1}-1)$, $r=\Delta u_{n+k-2}/\Delta u_{n+k-3}\ne0$, for no $\mu_k$. *)
+Theorem FJ07_11_needs_mu (lam mu r : F) : r != 0 -> 0 * lam = 1 + 0 - 1 /\ 0 * mu <> 0 + r * (0 - 1).
+Proof. by move=> r0; rewrite !mul0r addr0 subrr add0r sub0r mulrN1; split=> // /esym/eqP; rewrite oppr_eq0 (negPf r0). Qed.
 
 End Pieces.

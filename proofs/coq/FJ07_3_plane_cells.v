@@ -22,7 +22,7 @@ Qed.
 
 (** FJ07.C1 needs_same: a quadratic net with plane cells, $D_1=-C_0+C_1+D_0$ and $D_2=-2C_1+2C_2+D_1$, that is not developable:
     $C=(0,0,0),(1,0,0),(1,1,0)$, $D=(0,0,1),(1,0,1),(1,2,1)$.
-    Hypotheses: $2\ne0$ in the field. *)
+    Hypotheses: $2\ne0$ in the field; where $2=0$ all quadratic curves have $c'=0$ and their surfaces are developable. *)
 Theorem FJ07_C1_needs_same : 2%:R != 0 :> F -> exists c d : nat -> 'rV[F]_3,
   [/\ bary 1 1 c d 0, bary 2%:R 1 c d 1 & ~ developable (pbez 2 c) (pbez 2 d)].
 Proof.

@@ -51,7 +51,7 @@ Variable F : realFieldType.
 Implicit Types (c d : 'rV[{poly F}]_3) (t L M v x y : F) (n k : nat).
 
 (** FJ07.C3 exact: the ruling $0\le v\le1$ is free of singular points iff $\Lambda^{*}$ and $M^{*}$ lie on one side of $t$.
-    Hypotheses: an ordered field; $c'\times(d-c)\ne0$. *)
+    Hypotheses: an ordered field; $c'\times(d-c)\ne0$; $n\ge1$, so that the relation (9), which divides by $n$, has a meaning. *)
 Theorem FJ07_C3_exact n c d t L M : (0 < n)%N -> related_at n c d t L M 1 ->
   cross (ev (pderiv c) t) (ev d t - ev c t) != 0 ->
   (forall v, 0 <= v <= 1 -> cross (velocity_on c d t v) (ev d t - ev c t) != 0) <-> 0 < (M - t) * (L - t).
@@ -117,8 +117,8 @@ Qed.
 
 (** FJ07.C3 piece: over a piece where no ruling touches the curve the surface has no singular point with $0\le v\le1$ iff
     $\Lambda_k,M_k<0$ or $\Lambda_k,M_k>1$.
-    Hypotheses: an ordered field; the piece has a positive length; $c'\times(d-c)\ne0$ all over it.
-    Paper: omits the last, and leaves the converse open. *)
+    Hypotheses: an ordered field; $c'\times(d-c)\ne0$ all over the piece; it has a positive length and its knots carry it, so that its points have a meaning.
+    Paper: omits that no ruling touches the curve, and leaves the converse open. *)
 Theorem FJ07_C3_piece u n k L M (c d : nat -> 'rV[F]_3) (C := pcurve n.+1 (drop_ k u) (drop_ k c)) (D := pcurve n.+1 (drop_ k u) (drop_ k d)) :
   0 < len u n k -> span n.+1 (drop_ k u) -> (forall i, (i < n.+1)%N -> cell u n.+1 L M c d (k + i)) ->
   (forall t, u (n + k)%N <= t <= u (n + k).+1 -> cross (ev (pderiv C) t) (ev D t - ev C t) != 0) ->

@@ -46,7 +46,7 @@ Qed.
 
 (** FJ07.19 net: with $C_i=c[a^{\langle n-i\rangle},b^{\langle i\rangle}]$ on the piece $[a,b]=[u_{n+k-2},u_{n+k-1}]$ the relation of Theorem 1
     holds on piece $k$ iff $(1-\Lambda_k)C_i+\Lambda_kC_{i+1}=(1-M_k)D_i+M_kD_{i+1}$, $i=0..n-1$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_19_net u n k L M c d (C := bezier_net u n k c) (D := bezier_net u n k d)
     (Lam := local u n k L) (Mu := local u n k M) : span n.+1 (drop_ k u) ->
   related (drop_ k u) n.+1 L M (drop_ k c) (drop_ k d) <->
@@ -59,7 +59,7 @@ by rewrite {1}(star L) {1}(star M); apply: related_local.
 Qed.
 
 (** FJ07.19 cells: the Bezier net of piece $k$ of the spline of (13) obeys (12) with $\Lambda_k$, $M_k$, and conversely.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_19_cells u n k L M c d (C := bezier_net u n k c) (D := bezier_net u n k d)
     (Lam := local u n k L) (Mu := local u n k M) : span n.+1 (drop_ k u) ->
   (forall i, (i < n.+1)%N -> cell u n.+1 L M c d (k + i)) <->
@@ -70,7 +70,7 @@ by split=> cells i lt_i; have := cells i lt_i; rewrite cell_drop.
 Qed.
 
 (** FJ07.19 ends: $C_0=c(a)$ and $C_n=c(b)$: neighbouring pieces have a point in common.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_19_ends u n k c : span n.+1 (drop_ k u) ->
   (forall j, (bezier_net u n k c 0%N) 0 j = (curve n.+1 (drop_ k u) (coord (drop_ k c) j)).[u (n + k)%N]) /\
   (forall j, (bezier_net u n k c n.+1) 0 j = (curve n.+1 (drop_ k u) (coord (drop_ k c) j)).[u (n + k).+1]).
@@ -93,7 +93,7 @@ by apply/cell_drop/cells; lia.
 Qed.
 
 (** FJ07.13 developable: so does the row of the construction, for every $c$, $d_0$, $\Lambda^{*}$, $M^{*}$.
-    Hypotheses: $M^{*}$ is none of $u_0,\dots,u_{L-1}$. *)
+    Hypotheses: $M^{*}$ is none of $u_0,\dots,u_{L-1}$, so that the row has a meaning. *)
 Theorem FJ07_13_developable u n L M c (d0 : 'rV[F]_3) N (d := net u n L M c d0) : (forall i, (i < n + N.-1)%N -> M - u i != 0) ->
   forall k, (k < N)%N -> span n (drop_ k u) -> developable (pcurve n (drop_ k u) (drop_ k c)) (pcurve n (drop_ k u) (drop_ k d)).
 Proof. by move=> off; apply: (FJ07_C2_developable (L := L) (M := M)); case: (FJ07_13_exists n L c d0 off). Qed.

@@ -7,21 +7,32 @@ Unset Printing Implicit Defensive.
 Import Order.Theory GRing.Theory Num.Theory.
 Local Open Scope ring_scope.
 
+(** FJ07.C3 cleared: where $n\,c(t)+(\Lambda^{*}-t)c'(t)=n\,d(t)+(M^{*}-t)d'(t)$, which is (9) without its denominator, the same identity holds for every $n$,
+    also where $n=0$ in the field. *)
+Theorem FJ07_C3_cleared (F : fieldType) m n (c d : 'rV[{poly F}]_m) t L M v :
+  n%:R *: ev c t + (L - t) *: ev (pderiv c) t = n%:R *: ev d t + (M - t) *: ev (pderiv d) t ->
+  (M - t) *: ((1 - v) *: ev (pderiv c) t + v *: ev (pderiv d) t)
+    = ((1 - v) * (M - t) + v * (L - t)) *: ev (pderiv c) t - (n%:R * v) *: (ev d t - ev c t).
+Proof.
+move=> /rowP eq_p; apply/rowP=> k; have := eq_p k; rewrite !mxE.
+move: (c 0 k).[t] (d 0 k).[t] (c 0 k)^`().[t] (d 0 k)^`().[t] n%:R => P Q P' Q' N eq_P.
+by apply: (by_multiple (z := - v) eq_P); ring.
+Qed.
+
 (** FJ07.C3 velocity: with $W=d-c$: $(M^{*}-t)\,b_t(t,v)=\{(1-v)(M^{*}-t)+v(\Lambda^{*}-t)\}\,c'(t)-nv\,W(t)$.
-    Hypotheses: $n\ne0$ in the field. *)
+    Hypotheses: $n\ne0$ in the field, so that the relation (9), which divides by $n$, has a meaning. *)
 Theorem FJ07_C3_velocity (F : fieldType) m n (c d : 'rV[{poly F}]_m) t L M v : n%:R != 0 :> F -> related_at n c d t L M 1 ->
   (M - t) *: ((1 - v) *: ev (pderiv c) t + v *: ev (pderiv d) t)
     = ((1 - v) * (M - t) + v * (L - t)) *: ev (pderiv c) t - (n%:R * v) *: (ev d t - ev c t).
 Proof.
-move=> n0 /rowP eq_p; apply/rowP=> k; have := eq_p k; rewrite !mxE.
-move: (c 0 k).[t] (d 0 k).[t] (c 0 k)^`().[t] (d 0 k)^`().[t] n%:R n0 => P Q P' Q' N n0 eq_P.
-by apply: (by_multiple (z := - N * v) eq_P); field.
+move=> n0 rel; apply: FJ07_C3_cleared; have := congr1 (fun x => n%:R *: x) rel.
+by rewrite /tangent !scale1r !scalerDr !scalerA ![n%:R * _]mulrC !divfK.
 Qed.
 
 (** FJ07.C3 regular: where $\Lambda^{*}$ and $M^{*}$ lie on one side of $t$ (which $\Lambda_k,M_k<0$ or $\Lambda_k,M_k>1$ on every piece says) and
     $c'\times(d-c)\ne0$, the surface is regular on the whole ruling $0\le v\le1$.
     Hypotheses: an ordered field; $c'(t)\times(d(t)-c(t))\ne0$: the curve is not stationary, the ruling has a length and does
-    not touch the curve.
+    not touch the curve; $n\ge1$, so that the relation (9) has a meaning.
     Paper: omits the last, without which the corollary is false. *)
 Theorem FJ07_C3_regular (F : realFieldType) n (c d : 'rV[{poly F}]_3) t L M v : (0 < n)%N -> related_at n c d t L M 1 ->
   (t < L) && (t < M) || (L < t) && (M < t) -> 0 <= v <= 1 -> cross (ev (pderiv c) t) (ev d t - ev c t) != 0 ->

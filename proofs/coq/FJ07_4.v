@@ -23,7 +23,7 @@ Definition factor u n K i : {poly F} := \prod_(0 <= j < i) ('X - (u j)%:P) * \pr
 Definition chord u n c K : 'rV[{poly F}]_m := \sum_(0 <= i < K.+1) factor u n K i *: fixed (c i.+1 - c i).
 
 (** FJ07.20 last: $d_L-c_L=P(0,L)(d_0-c_0)+\frac{\Lambda^{*}-M^{*}}{M^{*}-u_{L-1}}(c_L-a(M^{*}))$.
-    Hypotheses: $M^{*}$ is none of $u_0,\dots,u_{L-1}$. *)
+    Hypotheses: $M^{*}$ is none of $u_0,\dots,u_{L-1}$, so that the quotients have a meaning. *)
 Theorem FJ07_20_last u n L M c d K : (forall i, (i < K.+1)%N -> M - u i != 0) -> (forall i, (i < K.+1)%N -> cell u n L M c d i) ->
   d K.+1 - c K.+1 = P u n M 0 K.+1 *: (d 0%N - c 0%N) + ((L - M) / (M - u K)) *: (c K.+1 - aim u n c K M).
 Proof. by move=> off cells; rewrite (FJ07_15_closed off cells (ltnSn K)) /aim opprD addrA. Qed.
@@ -43,7 +43,7 @@ by rewrite !big_cons -ih; apply/rowP=> k; rewrite !mxE hornerD.
 Qed.
 
 (** FJ07.20 polynomial: $(c_L-a(M))\prod_{j<L-1}(M-u_j)=\sum_{i=0}^{L-1}(c_{i+1}-c_i)\prod_{j<i}(M-u_j)\prod_{i<j<L}(M-u_{j+n})$.
-    Hypotheses: $M$ is none of $u_0,\dots,u_{L-1}$. *)
+    Hypotheses: $M$ is none of $u_0,\dots,u_{L-1}$, so that $a(M)$ has a meaning. *)
 Theorem FJ07_20_polynomial u n c K M : (forall i, (i < K.+1)%N -> M - u i != 0) ->
   (\prod_(0 <= j < K) (M - u j)) *: (c K.+1 - aim u n c K M) = ev (chord u n c K) M.
 Proof.
@@ -105,7 +105,7 @@ Lemma tripleN v w x : triple (- v) w x = - triple v w x.
 Proof. by coordinates; ring. Qed.
 
 (** FJ07.20 branches: $[a(M)-c_L,v,w]=0$ iff $M$ is a root of the polynomial $[\sum_i(c_{i+1}-c_i)\prod\dots,v,w]$.
-    Hypotheses: $M$ is none of $u_0,\dots,u_{L-1}$. *)
+    Hypotheses: $M$ is none of $u_0,\dots,u_{L-1}$, so that $a(M)$ has a meaning. *)
 Theorem FJ07_20_branches u n c K v w M : (forall i, (i < K.+1)%N -> M - u i != 0) ->
   triple (aim u n c K M - c K.+1) v w = 0 <-> root (branches u n c K v w) M.
 Proof.

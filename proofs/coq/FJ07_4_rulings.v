@@ -80,7 +80,7 @@ Qed.
 (** FJ07.21 interpolation: for $a(M_0)-c_L=\alpha v+\beta w$ the net of (13) from $d_0=c_0+\sigma_0v$,
     $\sigma_0=\alpha\frac{\Lambda^{*}-M_0}{M_0-u_{L-1}}\prod_{i=0}^{L-1}\frac{M_0-u_i}{M_0-u_{i+n}}$, ends in $d_L=c_L+\tau_0w$,
     $\tau_0=\beta\frac{M_0-\Lambda^{*}}{M_0-u_{L-1}}$, for every $\Lambda^{*}$.
-    Hypotheses: $M_0$ is none of the knots $u_0,\dots,u_{L+n-1}$; $v$ and $w$ may be any. *)
+    Hypotheses: $M_0$ is none of the knots $u_0,\dots,u_{L+n-1}$, so that the quotients have a meaning; $v$ and $w$ may be any. *)
 Theorem FJ07_21_interpolation u n L M c v w alpha beta K : (forall i, (i < K.+1)%N -> M - u i != 0) ->
   (forall i, (i < K.+1)%N -> M - u (i + n)%N != 0) -> aim u n c K M - c K.+1 = alpha *: v + beta *: w ->
   net u n L M c (c 0%N + first_end u n K L M alpha *: v) K.+1 = c K.+1 + last_end u K L M beta *: w.
@@ -93,7 +93,7 @@ rewrite [p * _]mulrCA pq mulr1; by by_entries k; field.
 Qed.
 
 (** FJ07.21 lengths: $\sigma_0=0$, the first ruling shrinks to $c_0$, iff $\alpha=0$ or $\Lambda^{*}=M_0$; $\tau_0=0$ iff $\beta=0$ or $\Lambda^{*}=M_0$.
-    Hypotheses: $M_0$ is none of the knots. *)
+    Hypotheses: $M_0$ is none of the knots, so that $\sigma_0$ and $\tau_0$ have a meaning. *)
 Theorem FJ07_21_lengths u n L M alpha beta K : (forall i, (i < K.+1)%N -> M - u i != 0) ->
   (forall i, (i < K.+1)%N -> M - u (i + n)%N != 0) ->
   (first_end u n K L M alpha == 0) = (alpha == 0) || (L == M) /\ (last_end u K L M beta == 0) = (beta == 0) || (L == M).
@@ -105,22 +105,24 @@ by rewrite [M == L]eq_sym.
 Qed.
 
 (** FJ07.21 restriction: $\Lambda^{*}$ only cuts the surface, by (17): $M_0+\beta'(\Lambda^{*}-M_0)$ makes $\beta'\sigma_0$ and $\beta'\tau_0$ of $\sigma_0$,
-    $\tau_0$, so that it can be chosen to pass through one given point of a ruling, but not of both. *)
+    $\tau_0$, so that it can be chosen to pass through one given point of a ruling, but not of both.
+    Hypotheses: none, but $\sigma_0$, $\tau_0$ have a meaning only where $M_0$ is none of the knots. *)
 Theorem FJ07_21_restriction u n L M alpha beta scale K :
   first_end u n K (M + scale * (L - M)) M alpha = scale * first_end u n K L M alpha /\
   last_end u K (M + scale * (L - M)) M beta = scale * last_end u K L M beta.
 Proof. by rewrite /first_end /last_end; split; ring. Qed.
 
-(** FJ07.21 developable: where $M_0$ is a root, there is a net through $c$ with the first ruling along $v$ and the last along $w$ that spans
-    developable surfaces over all its $N$ pieces.
+(** FJ07.21 developable: where $M_0$ is a root, there is for every $\Lambda^{*}$ a net of (13) through $c$ with the first ruling along $v$ and the last along $w$,
+    and it spans developable surfaces over all its $N$ pieces.
     Hypotheses: $M_0$ is none of the knots; $v\times w\ne0$. *)
 Theorem FJ07_21_developable u n N L M c v w K : K.+1 = (n + N.-1)%N -> (forall i, (i < K.+1)%N -> M - u i != 0) ->
   (forall i, (i < K.+1)%N -> M - u (i + n)%N != 0) -> cross v w != 0 -> root (branches u n c K v w) M ->
-  exists d sigma tau, [/\ d 0%N = c 0%N + sigma *: v, d K.+1 = c K.+1 + tau *: w & forall k, (k < N)%N -> span n (drop_ k u) ->
-    developable (pcurve n (drop_ k u) (drop_ k c)) (pcurve n (drop_ k u) (drop_ k d))].
+  exists d sigma tau, [/\ forall i, (i < K.+1)%N -> cell u n L M c d i, d 0%N = c 0%N + sigma *: v, d K.+1 = c K.+1 + tau *: w &
+    forall k, (k < N)%N -> span n (drop_ k u) -> developable (pcurve n (drop_ k u) (drop_ k c)) (pcurve n (drop_ k u) (drop_ k d))].
 Proof.
 move=> eK off off' nz /(FJ07_20_branches _ _ _ _ off)/(combination nz)[alpha [beta eq_a]].
 exists (net u n L M c (c 0%N + first_end u n K L M alpha *: v)), (first_end u n K L M alpha), (last_end u K L M beta).
+have [e0 cells] := FJ07_13_exists n L c (c 0%N + first_end u n K L M alpha *: v) off.
 split=> //; first exact: FJ07_21_interpolation.
 by apply: FJ07_13_developable; rewrite -eK.
 Qed.

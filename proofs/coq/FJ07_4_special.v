@@ -13,7 +13,7 @@ Implicit Types (u : nat -> F) (c : nat -> 'rV[F]_m) (n N : nat).
 
 (** FJ07.20 clamped: with $u_0=\dots=u_{n-1}=a$ the curve starts in $c_0$, so that the ruling at $a$ is the line $c_0d_0$; likewise at the
     end of the last piece, $u_L=\dots=u_{L+n-1}=b$.
-    Hypotheses: the first and the last piece are not empty. *)
+    Hypotheses: these knots are equal; the knots carry the first and the last piece, so that their points have a meaning. *)
 Theorem FJ07_20_clamped n N u c a b : span n u -> span n (drop_ N u) -> (forall i, (i < n)%N -> u i = a) ->
   (forall i, (i < n)%N -> u (N + (n + i))%N = b) ->
   ev (pcurve n u c) a = c 0%N /\ ev (pcurve n (drop_ N u) (drop_ N c)) b = c (N + n)%N.
@@ -34,7 +34,7 @@ Implicit Types (u h : nat -> F) (c d : nat -> 'rV[F]_3) (v w : 'rV[F]_3) (L M si
 
 (** FJ07.20 parallel: for end rulings along the same $v$ the polynomial is 0, every $M_0$ a root; but a net of (13) with $\Lambda^{*}\ne M^{*}$ has
     such end rulings only if $(c_L-a(M^{*}))\times v=0$, two equations more.
-    Hypotheses: $M^{*}$ is none of $u_0,\dots,u_{L-1}$. *)
+    Hypotheses: $\Lambda^{*}\ne M^{*}$; $M^{*}$ is none of $u_0,\dots,u_{L-1}$, so that $a(M^{*})$ has a meaning. *)
 Theorem FJ07_20_parallel u n L M c d v s sigma tau K : (forall i, (i < K.+1)%N -> M - u i != 0) -> L != M ->
   (forall i, (i < K.+1)%N -> cell u n L M c d i) -> d 0%N = c 0%N + sigma *: v -> d K.+1 = c K.+1 + tau *: v ->
   branches u n c K v (s *: v) = 0 /\ cross (c K.+1 - aim u n c K M) v = 0.
@@ -57,7 +57,7 @@ Proof. exact: FJ07_4_cylinder. Qed.
 
 (** FJ07.20 cone: for end rulings that meet in $O$ the rows $d_i=c_i+\beta(O-c_i)$, with proportional sides for $\alpha=1-\beta$, span a cone
     through the curve: on every piece $d(t)-c(t)=\beta(O-c(t))$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_20_cone n u c (O : 'rV[F]_3) beta k (d := fun i => c i + beta *: (O - c i))
     (C := pcurve n (drop_ k u) (drop_ k c)) (D := pcurve n (drop_ k u) (drop_ k d)) : span n (drop_ k u) ->
   [/\ forall K, proportional (1 - beta) c d K, D - C = beta%:P *: (fixed O - C) & developable C D].
@@ -88,7 +88,7 @@ by rewrite -[K in _`_K]/(K.+1.-1) -sz -lead_coefE => /eqP; rewrite lead_coef_eq0
 Qed.
 
 (** FJ07.21 needs_off: at $M_0=u_{i+n}$, $i<L$, the last vertex does not depend on $d_0$: nets of (13) from all points $d_0$ end in the same $d_L$.
-    Hypotheses: $M_0$ is none of $u_0,\dots,u_{L-1}$. *)
+    Hypotheses: $M_0$ is none of $u_0,\dots,u_{L-1}$, so that the net has a meaning. *)
 Theorem FJ07_21_needs_off u n L M c (d0 d0' : 'rV[F]_3) K j : (forall i, (i < K.+1)%N -> M - u i != 0) -> (j < K.+1)%N -> M = u (j + n)%N ->
   net u n L M c d0 K.+1 = net u n L M c d0' K.+1.
 Proof.

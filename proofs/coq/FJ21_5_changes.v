@@ -125,7 +125,8 @@ Lemma pblossom_insertion n p x u c j w (k := if (j + n <= p)%N then j else j.-1)
   (0 < n <= p)%N -> span n (drop_ k u) -> span n (drop_ j (insert_knot p x u)) -> size w = n ->
   pblossom (drop_ j (insert_knot p x u)) (drop_ j (insert_points n p x u c)) w = pblossom (drop_ k u) (drop_ k c) w.
 Proof.
-move=> le_n spk spj sz; apply/rowP=> h; have := blossoms_boehm (coord c h) le_n spk spj sz; rewrite -/k !mxE => <-.
+case/andP=> _ le_n spk spj sz; have le : (n <= p)%N || (0 < j)%N by rewrite le_n.
+apply/rowP=> h; have := blossoms_boehm (coord c h) le spk spj sz; rewrite -/k !mxE => <-.
 by apply: blossom_ext => i _; rewrite /coord /drop_ mxE.
 Qed.
 

@@ -48,15 +48,19 @@ Qed.
 
 (** blossoms boehm: Boehm's points over the knots with $x$ inserted as knot $p$ give the same blossom: a piece of the new list from $j$ on
     agrees with the piece $j$ of the old one if $x$ is in its second half or beyond ($j+n\le p$), and with the piece $j-1$ otherwise.
-    Hypotheses: both pieces carry their knots; $n\le p$: $x$ is not inserted before the first piece. *)
+    Hypotheses: $n\le p$ or $j\ge1$: of the new list that has $x$ among its first $n$ knots the piece 0 is no piece of the old one; both pieces carry
+    their knots, so that their points have a meaning. *)
 Theorem blossoms_boehm n p x u c j w (u' := insert_knot p x u) (c' := insert_point n p x u c)
     (k := if (j + n <= p)%N then j else j.-1) :
-  (0 < n <= p)%N -> span n (drop_ k u) -> span n (drop_ j u') -> size w = n ->
+  (n <= p)%N || (0 < j)%N -> span n (drop_ k u) -> span n (drop_ j u') -> size w = n ->
   blossom (drop_ j u') (drop_ j c') w = blossom (drop_ k u) (drop_ k c) w.
 Proof.
-case: n @c' @k => // n c' k /andP[_ le_p] spk spj sz; rewrite -(blossoms_refinement (drop_ k c) spk spj sz).
+case: n @c' @k => [|n] c' k le_p spk spj sz.
+  move: w sz => [|//] _; rewrite /= /drop_ !addn0 /c' /insert_point /k addn0.
+  by case: leqP => // lt_j.
+rewrite -(blossoms_refinement (drop_ k c) spk spj sz).
 apply: blossom_ext => i; rewrite sz => le_i; rewrite {1}/drop_ /c' /insert_point.
-have k_ge : (if (j + n.+1 <= p) then k = j else k.+1 = j)%N by rewrite /k; case: leqP => h //=; lia.
+have k_ge : (if (j + n.+1 <= p) then k = j else k.+1 = j)%N by rewrite /k; case: leqP => h //=; case/orP: le_p; lia.
 clearbody k.
 case: ifP => [left | /negbT]; last rewrite -ltnNge => middle.
   have ek : k = j by move: k_ge; case: leqP => h //; lia.

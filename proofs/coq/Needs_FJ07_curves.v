@@ -96,22 +96,6 @@ by rewrite (_ : _ + _ = -1) ?oppr_eq0 ?oner_eq0 //; ring.
 Qed.
 End Failures.
 
-Section Velocity.
-Variable F : fieldType.
-
-(** FJ07.C3 velocity_needs_degree: where $n=0$ in the field, as for $n=p$ in characteristic $p$, the identity fails for
-    $c=(t)$, $d=(0)$, $\Lambda^{*}=1$, $M^{*}=t=0$, $v=1$. *)
-Theorem FJ07_C3_velocity_needs_degree n (c := const_mx 'X : 'rV[{poly F}]_1) (d := 0 : 'rV[{poly F}]_1) :
-  n%:R = 0 :> F -> related_at n c d 0 1 0 1 /\
-  (0 - 0) *: ((1 - 1) *: ev (pderiv c) 0 + 1 *: ev (pderiv d) 0)
-    <> ((1 - 1) * (0 - 0) + 1 * (1 - 0)) *: ev (pderiv c) 0 - (n%:R * 1) *: (ev d 0 - ev c 0).
-Proof.
-move=> n0; split; first by apply/rowP=> k; rewrite !mxE n0 invr0 !mulr0 !mul0r !hornerE /= ?addr0 ?mulr0.
-move/rowP/(_ 0)/eqP; rewrite !mxE n0 !subrr !mul0r add0r subr0 mul1r subr0 derivX hornerC mulr1.
-by rewrite eq_sym oner_eq0.
-Qed.
-End Velocity.
-
 Section Singular.
 Variable F : fieldType.
 Implicit Types (t v L M : F).

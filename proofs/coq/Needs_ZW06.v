@@ -1,4 +1,7 @@
-(* ZW06: what happens without the hypotheses of the theorems, one counterexample each. *)
+(* ZW06: what happens without the hypotheses of the theorems, one counterexample each.
+   Definitions:
+     tip n, zero      the points of a line 0, ..., 0, 1, 0, ..., the n-th is 1, and the points 0
+     chosen k         the points C(i, k) of a line: their Bezier curve is C(n, k) u^k *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves Points Bernstein Bezier ZW06 ZW06_cases ZW06_nets ZW06_system FJ21_4 Needs_blossoms Needs_FJ07 Needs_FJ07_curves.
 Set Implicit Arguments.
@@ -59,17 +62,17 @@ Section Nets.
 Variable F : fieldType.
 Implicit Types (n i k : nat) (rho s : F).
 
-Let tip n : nat -> 'rV[F]_1 := fun i => const_mx (i == n)%:R.
-Let zero : nat -> 'rV[F]_1 := fun=> 0.
+Definition tip n : nat -> 'rV[F]_1 := fun i => const_mx (i == n)%:R.
+Definition zero : nat -> 'rV[F]_1 := fun=> 0.
 
-Let pbez0 n : pbez n zero = 0.
+Lemma pbez0 n : pbez n zero = 0.
 Proof. by apply/rowP=> k; rewrite !mxE /bez big1 // => i _; rewrite /coord mxE polyC0 mul0r. Qed.
 
-Let deriv0 : pderiv (0 : 'rV[{poly F}]_1) = 0.
+Lemma deriv0 : pderiv (0 : 'rV[{poly F}]_1) = 0.
 Proof. by apply/rowP=> k; rewrite !mxE linear0. Qed.
 
 (* Where C(n, i) = 0 in the field, the Bezier curve of the point i alone is 0. *)
-Let hidden n i : 'C(n, i)%:R = 0 :> F -> pbez n (tip i) = 0.
+Lemma hidden n i : 'C(n, i)%:R = 0 :> F -> pbez n (tip i) = 0.
 Proof.
 move=> e; apply/rowP=> k; rewrite !mxE /bez big1_seq // => j _; rewrite /coord mxE.
 by have [->|] := eqVneq j i; rewrite ?polyC0 ?mul0r // /B -(polyC_nat F) e polyC0 mul0r mulr0.
@@ -112,23 +115,32 @@ rewrite subr0 sub0r mulr1 mulrN mulr1 -[i.+1]addn1 natrD => <- /eqP.
 by rewrite add0r eq_sym oppr_eq0 oner_eq0.
 Qed.
 
-Let tip_power n : pbez n (tip n) = const_mx 'X^n.
+Lemma tip_power n : pbez n (tip n) = const_mx 'X^n.
 Proof.
 apply/rowP=> k; rewrite !mxE /bez big_nat_recr //= big1_seq ?add0r => [|j]; last first.
   by rewrite mem_index_iota => /andP[_ lt_j]; rewrite /coord mxE (ltn_eqF lt_j) polyC0 mul0r.
 by rewrite /coord mxE eqxx polyC1 mul1r /B binn subnn expr0 mulr1 mul1r.
 Qed.
 
-Let tip_deriv n : n%:R = 0 :> F -> pderiv (pbez n (tip n)) = 0.
+Lemma tip_deriv n : n%:R = 0 :> F -> pderiv (pbez n (tip n)) = 0.
 Proof. by move=> n0; rewrite tip_power; apply/rowP=> k; rewrite !mxE derivXn -mulr_natl -(polyC_nat F) n0 polyC0 mul0r. Qed.
 
-(** ZW06.12 needs_factorial: where $n=0$ in the field the points $\tau_n=1$, all others and all $p_j$ 0, have $\tau=u^n$, $\tau'=0$. *)
-Theorem ZW06_12_needs_factorial n rho : n.+1%:R = 0 :> F ->
-  (rho - 1)%:P *: pderiv (pbez n.+1 zero) = pderiv (pbez n.+1 (tip n.+1)) /\
-  zero n.+1 + tip n.+1 n.+1 <> zero 0%N + tip n.+1 0%N + rho *: (zero n.+1 - zero 0%N).
+Definition chosen k : nat -> 'rV[F]_1 := fun i => const_mx 'C(i, k)%:R.
+
+Lemma chosen_deriv n k : (k <= n)%N -> k%:R = 0 :> F -> pderiv (pbez n (chosen k)) = 0.
 Proof.
-move=> n0; rewrite pbez0 deriv0 scaler0 tip_deriv //; split=> //.
-by rewrite /zero subrr scaler0 line1 !mxE eqxx /= !(add0r, addr0) => /eqP; rewrite oner_eq0.
+move=> le_k k0; apply/rowP=> j; rewrite !mxE (@bez_ext _ n _ (fun i => 'C(i, k)%:R)) => [|i _]; last by rewrite /coord mxE.
+by rewrite power_bez // mulr_natl derivMn derivXn -[_ *+ k]mulr_natl -(polyC_nat F) k0 polyC0 mul0r mul0rn.
+Qed.
+
+(** ZW06.12 needs_factorial: where $k=0$ in the field, $1\le k\le n$, the points $\tau_i=C(i,k)$, all $p_j=0$, have $\tau=C(n,k)u^k$, $\tau'=0$. *)
+Theorem ZW06_12_needs_factorial n k rho : (0 < k <= n)%N -> k%:R = 0 :> F ->
+  (rho - 1)%:P *: pderiv (pbez n zero) = pderiv (pbez n (chosen k)) /\
+  zero k + chosen k k <> zero 0%N + chosen k 0%N + rho *: (zero k - zero 0%N).
+Proof.
+case/andP=> k1 le_k k0; rewrite pbez0 deriv0 scaler0 chosen_deriv //; split=> //.
+rewrite /zero subrr scaler0 line1 !mxE binn bin_small // !(add0r, addr0) => /eqP.
+by rewrite oner_eq0.
 Qed.
 
 (** ZW06.13 needs_binomials: where $n=0$ in the field the points $p_n=1$, all others and all $\tau_j$ 0, have $a=u^n$, $a'=0$, and the formula
@@ -142,25 +154,28 @@ rewrite n0 ?mul0r !scale0r addr0 subSnn line1 !mxE eqxx /=. rewrite mulr1 subr0 
 by rewrite eq_sym oner_eq0.
 Qed.
 
-(** ZW06.20 needs_factorial: where $n=0$ in the field the same $\tau=u^n$ solves the equation for $s=1$ and is not Aumann's. *)
-Theorem ZW06_20_needs_factorial n rho : n.+1%:R = 0 :> F ->
-  (rho - 1)%:P *: pderiv (pbez n.+1 zero) = (n.+1%:R * (1 - 1))%:P *: pbez n.+1 (tip n.+1) +
-    ((1 - 'X) *: pderiv (pbez n.+1 (tip n.+1)) + 1%:P *: ('X *: pderiv (pbez n.+1 (tip n.+1)))) /\
-  zero n.+1 + tip n.+1 n.+1 <> zero n + rho *: (zero n.+1 - zero n) + 1 *: (zero n + tip n.+1 n - zero n).
+(** ZW06.20 needs_factorial: where $k+1=0$ in the field, $k<n$, the points $\tau_i=C(i,k+1)$, with $\tau'=0$, solve the equation for $s=1$ and are not Aumann's. *)
+Theorem ZW06_20_needs_factorial n k rho : (k < n)%N -> k.+1%:R = 0 :> F ->
+  (rho - 1)%:P *: pderiv (pbez n zero) = (n%:R * (1 - 1))%:P *: pbez n (chosen k.+1) +
+    ((1 - 'X) *: pderiv (pbez n (chosen k.+1)) + 1%:P *: ('X *: pderiv (pbez n (chosen k.+1)))) /\
+  zero k.+1 + chosen k.+1 k.+1 <> zero k + rho *: (zero k.+1 - zero k) + 1 *: (zero k + chosen k.+1 k - zero k).
 Proof.
-move=> n0; rewrite pbez0 deriv0 tip_deriv // n0 mul0r polyC0 scale0r !scaler0 !addr0; split=> //.
-rewrite /zero subrr scaler0 line1 !mxE eqxx (ltn_eqF (ltnSn n)) /= !(add0r, addr0, subr0, mulr0) => /eqP.
+move=> lt_k k0; rewrite pbez0 deriv0 chosen_deriv // subrr mulr0 polyC0 scale0r !scaler0 !addr0; split=> //.
+rewrite /zero subrr scaler0 line1 !mxE binn bin_small // !(add0r, addr0, subr0, mulr0) => /eqP.
 by rewrite oppr0 mulr0 oner_eq0.
+Qed.
+
+Lemma bez_line : bez 1 (coord (on_line [:: 0; 1 : F]) 0) = 'X.
+Proof.
+rewrite /bez big_nat_recr //= big_nat1 /coord !mxE /= polyC0 mul0r add0r polyC1 mul1r /B binn subnn expr0 expr1.
+by rewrite mulr1 mul1r.
 Qed.
 
 (** ZW06.12 needs_rho: for $\rho=1$ the points $q_i=q_0+(p_i-p_0)$ have a constant $\tau$, and $a'=b\tau'=0$ for no $b$: $p=(0,1)$, $n=1$. *)
 Theorem ZW06_12_needs_rho (p := on_line [:: 0; 1 : F]) (b : {poly F}) :
   pderiv (pbez 1 p) <> b *: pderiv (pbez 1 zero).
 Proof.
-rewrite pbez0 deriv0 scaler0 => /rowP/(_ 0); rewrite !mxE.
-have -> : bez 1 (coord p 0) = 'X.
-  rewrite /bez big_nat_recr //= big_nat1 /coord !mxE /= polyC0 mul0r add0r polyC1 mul1r /B binn subnn expr0 expr1.
-  by rewrite mulr1 mul1r.
+rewrite pbez0 deriv0 scaler0 => /rowP/(_ 0); rewrite !mxE bez_line.
 by rewrite derivX => /eqP; rewrite oner_eq0.
 Qed.
 
@@ -180,33 +195,38 @@ split=> [rho|L M]; rewrite line1 !mxE /=; first by ring.
 by move/eqP; rewrite !mulr0 addr0 !mulr1 subrK eq_sym oner_eq0.
 Qed.
 
-(** ZW06.6 needs_factorial: where $n=0$ in the field, $\tau=(1,u^n)$ has $\tau'=0$ and is no multiple of one vector. *)
-Theorem ZW06_6_needs_factorial n (tau := fun i => \row_(k < 2) (if val k is 0%N then 1 else (i == n.+1)%:R) : 'rV[F]_2) : n.+1%:R = 0 :> F ->
-  pderiv (pbez n.+1 tau) = 0 /\ ~ exists e h, forall i, (i <= n.+1)%N -> tau i = h i *: e.
+(** ZW06.6 needs_factorial: where $k=0$ in the field, $1\le k\le n$, the vectors $\tau_i=(1,C(i,k))$ have $\tau'=0$ and are no multiples of one vector. *)
+Theorem ZW06_6_needs_factorial n k (tau := fun i => \row_(j < 2) (if val j is 0%N then 1 else 'C(i, k)%:R) : 'rV[F]_2) : (0 < k <= n)%N ->
+  k%:R = 0 :> F -> pderiv (pbez n tau) = 0 /\ ~ exists e h, forall i, (i <= n)%N -> tau i = h i *: e.
 Proof.
-move=> n0; split.
+case/andP=> k1 le_k k0; split.
   apply/rowP=> -[[|[|//]] lt_k]; rewrite !mxE.
     rewrite (bez_ext (d := fun=> 1)) => [|i _]; last by rewrite /coord mxE.
-    rewrite (_ : bez n.+1 _ = 1) -?polyC1 ?derivC //; rewrite polyC1 -(B_sum F n.+1); apply: eq_big_nat => i _.
+    rewrite (_ : bez n _ = 1) -?polyC1 ?derivC //; rewrite polyC1 -(B_sum F n); apply: eq_big_nat => i _.
     by rewrite polyC1 mul1r.
-  have /rowP/(_ 0) := tip_deriv n0; rewrite !mxE => e; rewrite -[RHS]e; congr (_^`()).
+  have /rowP/(_ 0) := chosen_deriv le_k k0; rewrite !mxE => e; rewrite -[RHS]e; congr (_^`()).
   by apply: bez_ext => i _; rewrite /coord !mxE.
 case=> e [h eq_tau]; have := congr1 (fun r : 'rV_2 => (r 0 0, r 0 1)) (eq_tau 0%N isT).
-have := congr1 (fun r : 'rV_2 => r 0 1) (eq_tau n.+1 (leqnn _)); rewrite !mxE /= eqxx => e1 [h0 /esym/eqP].
+have := congr1 (fun r : 'rV_2 => r 0 1) (eq_tau k le_k); rewrite !mxE /= binn bin_small // => e1 [h0 /esym/eqP].
 rewrite mulf_eq0 => /orP[/eqP h00|/eqP e10]; first by move/eqP: h0; rewrite h00 mul0r oner_eq0.
 by move/eqP: e1; rewrite e10 mulr0 oner_eq0.
 Qed.
 
-(** ZW06.G needs_factor: where $a+k\beta=0$ and $b=\beta u$ the system without right side has the solution $u^k$. *)
-Theorem ZW06_G_needs_factor (a beta : F) k : a + k%:R * beta = 0 -> a%:P * 'X^k + (beta%:P * 'X) * ('X^k)^`() = 0.
+(** ZW06.19 needs_binomials: where $C(n,i)=0$ in the field there is $s$ with which the points $\tau_i=1$, all others and all $p_j$ 0, solve the equation of (19)
+    and not the system. *)
+Theorem ZW06_19_needs_binomials n i : (i <= n)%N -> 'C(n, i)%:R = 0 :> F -> exists s, forall rho,
+  (rho - 1)%:P *: pderiv (pbez n zero) = (n%:R * (1 - s))%:P *: pbez n (tip i) +
+    ((1 - 'X) *: pderiv (pbez n (tip i)) + s%:P *: ('X *: pderiv (pbez n (tip i)))) /\
+  ~ forall j, (j <= n)%N -> (n - j)%:R *: gap zero (tip i) rho s j + j%:R *: prev (gap zero (tip i) rho s) j = 0.
 Proof.
-move=> e; have -> : a = - (k%:R * beta) by apply/eqP; rewrite -addr_eq0 e.
-rewrite derivXn; case: k {e} => [|k]; first by rewrite mulr0n mulr0 mul0r oppr0 polyC0 mul0r addr0.
-rewrite -['X^k.+1.-1 *+ k.+1]mulr_natl exprS polyCN polyCM polyC_nat.
-by move: (k.+1%:R : {poly F}) (beta%:P) ('X^k : {poly F}) => x y z; ring.
+move=> le_i e; have lt_i : (i < n)%N.
+  by rewrite ltn_neqAle le_i andbT; apply/eqP=> ei; move/eqP: e; rewrite ei binn oner_eq0.
+have i1 : (0 < i)%N by case: (i) e => // /eqP; rewrite bin0 oner_eq0.
+have gapE rho s j : gap zero (tip i) rho s j = s *: tip i j - tip i j.+1 by rewrite /gap /zero subrr scaler0 sub0r opprB.
+have [i0|i0] := eqVneq (i%:R : F) 0; [exists 1 | exists 0] => rho; rewrite pbez0 hidden // deriv0 !scaler0 !addr0; split=> // h.
+  have := h i.+1 lt_i; rewrite /prev /= !gapE line1 !mxE eqxx (gtn_eqF (ltnSn i)) (gtn_eqF (leqW (ltnSn i))).
+  by rewrite !(mulr0, subr0, add0r, mulr1) -addn1 natrD i0 add0r => /eqP; rewrite oner_eq0.
+have := h i le_i; rewrite /prev !gapE prednK // line1 !mxE eqxx (gtn_eqF (ltnSn i)).
+by rewrite !(mul0r, mulr0, subr0, add0r, sub0r, mulrN, mulr1) => /eqP; rewrite ?oppr0 ?mulr0 ?add0r oppr_eq0 (negPf i0).
 Qed.
-
-(** ZW06.G needs_factorial: where $n=0$ in the field $\tau'=0$ ($a=0$, $b=1$) has the solutions $1$ and $u^n$, whose quotient is not constant. *)
-Theorem ZW06_G_needs_factorial n : n.+1%:R = 0 :> F -> 0 * 'X^n.+1 + 1 * ('X^n.+1)^`() = 0 :> {poly F}.
-Proof. by move=> n0; rewrite mul0r add0r mul1r derivXn -mulr_natl -(polyC_nat F) n0 polyC0 mul0r. Qed.
 End Nets.

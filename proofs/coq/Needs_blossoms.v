@@ -88,3 +88,15 @@ by move/eqP; rewrite !subr0 eq_sym -subr_eq0 addrK oner_eq0.
 Qed.
 
 End Blossoms.
+
+(* No power of a rational number is 2. *)
+Lemma no_root k (x : rat) : (1 < k)%N -> x ^+ k != 2%:R.
+Proof.
+move=> lt_k; apply/eqP; rewrite -[x]divq_num_den exprMn exprVn => /(canRL (divfK _)) e.
+have {e} e : numq x ^+ k = 2%:R * denq x ^+ k.
+  by apply: (@intr_inj rat_numDomainType); rewrite rmorphX /= e ?expf_neq0 ?intr_eq0 ?denq_neq0 // rmorphM rmorphX.
+have d0 : (0 < `|denq x| ^ k)%N by rewrite expn_gt0 absz_gt0 denq_neq0.
+have : (`|numq x| ^ k = 2 * `|denq x| ^ k)%N by rewrite -!abszX e abszM.
+move/(congr1 (logn 2)); rewrite lognM // !lognX [logn 2 2]logn_prime // eqxx => /(congr1 (fun r => r %% k)%N).
+by rewrite modnMr -modnDmr modnMr addn0 modn_small.
+Qed.

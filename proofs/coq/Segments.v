@@ -67,7 +67,7 @@ Implicit Types (u c d : nat -> F) (a b s : F) (n i : nat).
 
 (** blossoms segment: with $C_i=c[a^{\langle n-i\rangle},b^{\langle i\rangle}]$ the curve is the Bezier curve of these points on $[a,b]$:
     $c[(1-s_1)a+s_1b,\dots]=C[s_1,\dots]$ for the knots $0,\dots,0,1,\dots,1$.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem blossoms_segment n a b u c (s : seq F) : span n u -> size s = n ->
   blossom u c [seq at_ ((1 - t) * a + t * b) | t <- s] = blossom (step01 F n) (segment a b n u c) [seq at_ t | t <- s].
 Proof.
@@ -88,7 +88,7 @@ by congr blossom; rewrite /ends map_cat !map_nseq /= /at_.
 Qed.
 
 (** blossoms diagonal: curves that agree at $t,\dots,t$ have the same control points, hence the same blossom.
-    Hypotheses: the knots carry the piece; no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning; no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
 Theorem blossoms_diagonal n u c d : independent F n -> span n u ->
   curve n u c = curve n u d -> forall i, (i <= n)%N -> c i = d i.
 Proof.

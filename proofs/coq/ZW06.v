@@ -206,7 +206,7 @@ by move: (i.+1%:R) => j n1 n2 n3; field; rewrite n1 n2 n3.
 Qed.
 
 (** ZW06.16 closed: $\tau_i=(n-i)A_i+iA_{i-1}$ with $A_i=\frac1{(i+1)(i+2)}\sum_{j\le i}(j+1)\Delta p_j$ solves $a'=2\tau+u\tau'$.
-    Hypotheses: $(n+1)!\ne0$ in the field. *)
+    Hypotheses: $(n+1)!\ne0$ in the field, so that the $A_i$ have a meaning. *)
 Theorem ZW06_16_closed n p : good F n.+1 ->
   let tau := fun i => (n - i)%:R *: mean_step p i + i%:R *: mean_step p i.-1 in
   pderiv (pbez n p) = 2%:R%:P *: pbez n tau + 'X *: pderiv (pbez n tau).

@@ -175,14 +175,14 @@ by rewrite ev_edge scalerDl addrACA addNr addr0.
 Qed.
 
 (** ZW06.14 parameter: $\bar v=\frac{v+b}{a-b'}$ is a parameter of the ruling in the place of $v$: $v=(a-b')\bar v-b$.
-    Hypotheses: $a(u)\ne b'(u)$.
+    Hypotheses: $a(u)\ne b'(u)$, so that the quotient has a meaning.
     Paper: $a\ne b'$; at single $u$ with $a(u)=b'(u)$ there is no $\bar v$. *)
 Theorem ZW06_14_parameter a b u v v' : a.[u] - b^`().[u] != 0 ->
   v' = (v + b.[u]) / (a.[u] - b^`().[u]) <-> v = (a.[u] - b^`().[u]) * v' - b.[u].
 Proof. by move=> nz; split=> ->; field. Qed.
 
 (** ZW06.15 tangent: $a(u)+v\tau(u)=a_1(u)+\frac{v+b}{a-b'}a_1'(u)$: the rulings are tangents of $a_1$.
-    Hypotheses: $a(u)\ne b'(u)$.
+    Hypotheses: $a(u)\ne b'(u)$, so that the quotient has a meaning.
     Paper: $a\ne b'$; where $a(u)=b'(u)$ the curve $a_1$ has no tangent, $a_1'(u)=0$. *)
 Theorem ZW06_15_tangent p w a b u v : pderiv p = a *: w + b *: pderiv w -> a.[u] - b^`().[u] != 0 ->
   ev p u + v *: ev w u = ev (edge p w b) u + ((v + b.[u]) / (a.[u] - b^`().[u])) *: ev (pderiv (edge p w b)) u.

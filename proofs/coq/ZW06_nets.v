@@ -23,14 +23,14 @@ Lemma same_difference (a b a' b' : 'rV[F]_m) : a - b = a' - b' -> a = b <-> a' =
 Proof. by move=> e; split=> h; apply/eqP; [rewrite -subr_eq0 -e | rewrite -subr_eq0 e]; rewrite h subrr. Qed.
 
 (** ZW06.12 cone: for $a=0$, $b=1/(\rho-1)$ the equation $a'=\frac1{\rho-1}\tau'$ holds iff $q_i=q_0+\rho(p_i-p_0)$.
-    Hypotheses: $\rho\ne1$; $n!\ne0$ in the field. *)
+    Hypotheses: $n!\ne0$ in the field; $\rho\ne1$, so that $b$ has a meaning. *)
 Theorem ZW06_12_cone n p tau rho (q := fun i => p i + tau i) : good F n -> rho - 1 != 0 ->
   pderiv (pbez n p) = (rho - 1)^-1%:P *: pderiv (pbez n tau) <->
   forall i, (i <= n)%N -> q i = q 0%N + rho *: (p i - p 0%N).
 Proof. by move=> g nz; rewrite -divided //; exact: ZW06_12_unique. Qed.
 
 (** ZW06.13 closed: for $a=s$, $b=su$ the equation holds iff $q_i=p_i+\frac{(n-i)p_{i+1}+(i+1)p_i-(n+1)p_0}{(i+1)s}$.
-    Hypotheses: $s\ne0$; $(n+1)!\ne0$ in the field. *)
+    Hypotheses: $s\ne0$ and $(n+1)!\ne0$ in the field, so that the quotients have a meaning; no $C(n,i)$ vanishes then. *)
 Theorem ZW06_13_closed n p tau s (q := fun i => p i + tau i) : good F n.+1 -> s != 0 ->
   pderiv (pbez n p) = s%:P *: pbez n tau + (s%:P * 'X) *: pderiv (pbez n tau) <->
   forall i, (i <= n)%N -> q i = p i + (i.+1%:R * s)^-1 *: ((n - i)%:R *: p i.+1 + i.+1%:R *: p i - n.+1%:R *: p 0%N).
@@ -44,7 +44,7 @@ Qed.
 Definition edges p i : 'rV[F]_m := p i - p i.-1.
 
 (** ZW06.18 closed: $u\,a'=\tau+u\tau'$ iff $\tau_i=\frac1{i+1}\sum_{j\le i}j\,\Delta p_{j-1}$.
-    Hypotheses: $(n+1)!\ne0$ in the field. *)
+    Hypotheses: $(n+1)!\ne0$ in the field, so that the quotients have a meaning; no $C(n,i)$ vanishes then. *)
 Theorem ZW06_18_closed n p tau : good F n.+1 ->
   'X *: pderiv (pbez n p) = pbez n tau + 'X *: pderiv (pbez n tau) <->
   forall i, (i <= n)%N -> tau i = i.+1%:R^-1 *: \sum_(0 <= j < i.+1) j%:R *: edges p j.
@@ -66,7 +66,7 @@ by rewrite h // Sr -h 1?ltnW // /prev /= [RHS]scalerDr [RHS]addrC.
 Qed.
 
 (** ZW06.19 aumann: $a'=a\tau+b\tau'$ with $a=\frac{n(1-s)}{\rho-1}$, $b=\frac{1-u+su}{\rho-1}$ iff $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$.
-    Hypotheses: $\rho\ne1$; $n!\ne0$ in the field. *)
+    Hypotheses: $n!\ne0$ in the field; $\rho\ne1$, so that $a$ and $b$ have a meaning. *)
 Theorem ZW06_19_aumann n p tau rho s (q := fun i => p i + tau i)
     (a := (n%:R * (1 - s) / (rho - 1))%:P) (b := (rho - 1)^-1%:P * (1 - 'X + s%:P * 'X)) : good F n -> rho - 1 != 0 ->
   pderiv (pbez n p) = a *: pbez n tau + b *: pderiv (pbez n tau) <->
@@ -101,7 +101,7 @@ by have /step -> := h i le_i; rewrite Tr (ih (ltnW le_i)).
 Qed.
 
 (** ZW06.20 fj07: Aumann's equation is FJ07.12 with the constants $\Lambda=\frac\rho{1-s}$, $M=\frac1{1-s}$ ($\lambda=\rho$, $\mu=s$ of FJ07).
-    Hypotheses: $s\ne1$; for $s=1$ it is the cone of ZW06.12. *)
+    Hypotheses: $s\ne1$, so that $\Lambda$, $M$ have a meaning; for $s=1$ it is the cone of ZW06.12. *)
 Theorem ZW06_20_fj07 p q rho s i (L := rho / (1 - s)) (M := (1 - s)^-1) : 1 - s != 0 ->
   q i.+1 = p i + rho *: (p i.+1 - p i) + s *: (q i - p i) <->
   (1 - L) *: p i + L *: p i.+1 = (1 - M) *: q i + M *: q i.+1.
@@ -115,7 +115,7 @@ Qed.
 
 (** ZW06.20 blossoms: so the method of ZW06 with (19) and that of FJ07 give the same surfaces: $a'=a\tau+b\tau'$ with $a,b$ of (19) iff
     $p[v_1,\dots,v_{n-1},\Lambda]=q[v_1,\dots,v_{n-1},M]$.
-    Hypotheses: $\rho\ne1$, $s\ne1$; $n!\ne0$ in the field. *)
+    Hypotheses: $n!\ne0$ in the field; $\rho\ne1$, $s\ne1$, so that $a$, $b$ and $\Lambda$, $M$ have a meaning. *)
 Theorem ZW06_20_blossoms n p tau rho s (q := fun i => p i + tau i)
     (a := (n%:R * (1 - s) / (rho - 1))%:P) (b := (rho - 1)^-1%:P * (1 - 'X + s%:P * 'X)) : good F n -> rho - 1 != 0 -> 1 - s != 0 ->
   pderiv (pbez n p) = a *: pbez n tau + b *: pderiv (pbez n tau) <->

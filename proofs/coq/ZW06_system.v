@@ -44,7 +44,7 @@ Qed.
 
 (** ZW06.G system: $a'=a\tau+b\tau'$ iff for $j=0..D$ the Bernstein coefficients of degree $D$ obey $\sum_iG_{ji}\tau_i=g_j$, $G_{ji}$ those of
     $aB_i^n+b(B_i^n)'$ and $g_j$ those of $a'$.
-    Hypotheses: $D\ge n+\max(\deg a,\deg b-1)$; no binomial coefficient $C(D,j)$ vanishes in the field, as in characteristic 0. *)
+    Hypotheses: $D\ge n+\max(\deg a,\deg b-1)$ and $D\ge n$; no $C(D,j)$ vanishes in the field, as in characteristic 0, so that $G_{ji}$ and $g_j$ have a meaning. *)
 Theorem ZW06_G_system n D p tau a b : independent F D -> (n <= D)%N -> (size a <= (D - n).+1)%N -> (size b <= (D - n).+2)%N ->
   solves n p a b tau <->
   forall j, (j <= D)%N -> \sum_(0 <= i < n.+1) in_bernstein D (column n a b i) j *: tau i

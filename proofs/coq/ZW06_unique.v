@@ -82,7 +82,7 @@ by rewrite ltn_eqF ?mul0r // (leq_trans (ltn_ord j)).
 Qed.
 
 (** ZW06.G.unique determinant: for constant $a$ and $b=b_0+\beta u$ the determinant of the system is $\prod_{k=0}^n(a+k\beta)$.
-    Hypotheses: no $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+    Hypotheses: no $C(n,i)$ vanishes in the field, as in characteristic 0, so that the system has a meaning. *)
 Theorem ZW06_G_unique_determinant n a (b0 : F) beta : independent F n ->
   \det (system n a (b0%:P + beta%:P * 'X)) = \prod_(k < n.+1) (a + k%:R * beta).
 Proof.
