@@ -3,7 +3,7 @@
      mapping n u b j      sigma on piece j: the curve of degree n of b_j, ..., b_{j+n} over the knots without their first j members
      on_piece n u j t     piece j, from u_{j+n-1} to u_{j+n}, is not empty and t lies on it, n >= 1 *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves BZZ19_3 BZZ19_3_range.
+From Torse Require Import Blossom Curves Joints BZZ19_3 BZZ19_3_range.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -16,28 +16,6 @@ Implicit Types (u b : nat -> F) (n m r j : nat) (x : F).
 
 Definition mapping n u b j := curve n (drop_ j u) (drop_ j b).
 
-Lemma blossom_first u b m (x : F * F) : blossom u b (nseq m.+1 x) = blossom (shift u) (step u m.+1 x b) (nseq m x).
-Proof. by rewrite /= size_nseq. Qed.
-
-Lemma knots_same u i r x : (forall l, (i <= l < i + r)%N -> u l = x) -> knots u i r = nseq r (at_ x).
-Proof.
-elim: r i => [|r ih] i e; first by [].
-by rewrite knotsS e ?ih //; [move=> l h; apply: e; lia | lia].
-Qed.
-
-Lemma joint m r u b x : span (r + m) u -> span (r + m) (drop_ r u) -> (forall i, (r + m <= i < r + m + r)%N -> u i = x) ->
-  blossom u b (nseq (r + m) (at_ x)) = blossom (drop_ r u) (drop_ r b) (nseq (r + m) (at_ x)).
-Proof.
-elim: m u b => [|m ih] u b.
-  rewrite addn0 => sp sp' e; rewrite -(@knots_same u r r) // blossoms_knots // (knots_same e).
-  rewrite -(@knots_same (drop_ r u) 0 r); last by move=> l h; apply: e; lia.
-  by rewrite blossoms_knots // /drop_ addn0.
-rewrite addnS => sp sp' e; rewrite !blossom_first (ih _ _ (span_shift sp)); last by move=> i h; apply: e; lia.
-  rewrite (@blossom_ext_knots _ (drop_ r (shift u)) (shift (drop_ r u))); last by move=> i _; rewrite /drop_ /shift addnS.
-  by apply: blossom_ext => i _; rewrite /step /drop_ !addnS !addnA.
-by move=> i l h1 h2; have := span_shift sp' h1 h2; rewrite /shift /drop_ !addnS.
-Qed.
-
 (** BZZ19.3 joints: at a knot $x=t_{j+d}=\dots=t_{j+d+r-1}$ of any multiplicity $r\le d$ the pieces $j$ and $j+r$, before and after it, have the same value: the mapping is
     continuous.
     Hypotheses: the knots carry both pieces, so that their points have a meaning; $r\le d$.
@@ -45,11 +23,13 @@ Qed.
 Theorem BZZ19_3_joints n r u b j x : (r <= n)%N -> span n (drop_ j u) -> span n (drop_ (j + r) u) ->
   (forall i, (n <= i < n + r)%N -> u (j + i)%N = x) -> (mapping n u b j).[x] = (mapping n u b (j + r)).[x].
 Proof.
-move=> le_r sp sp' e; rewrite /mapping !horner_curve // -(subnKC le_r).
-have dropD (v : nat -> F) i : drop_ r (drop_ j v) i = drop_ (j + r) v i by rewrite /drop_ addnA.
-rewrite (joint (r := r)) ?subnKC //; first last.
-  by move=> i l h1 h2; rewrite !dropD; apply: sp'.
-by rewrite (@blossom_ext_knots _ _ (drop_ (j + r) u)) //; apply: blossom_ext => i _; exact: dropD.
+move=> le_r sp sp' e; have dropD (v : nat -> F) i : drop_ r (drop_ j v) i = drop_ (j + r) v i by rewrite /drop_ addnA.
+have sp2 : span n (drop_ r (drop_ j u)) by move=> i l h1 h2; rewrite !dropD; apply: sp'.
+have sz : (r + size (nseq (n - r) (at_ x)))%N = n by rewrite size_nseq subnKC.
+rewrite /mapping !horner_curve // (_ : nseq n (at_ x) = nseq r (at_ x) ++ nseq (n - r) (at_ x)); last by rewrite -nseqD subnKC.
+rewrite (blossoms_joint _ sz sp sp2) //.
+rewrite (@blossom_ext_knots _ _ (drop_ (j + r) u)); last by move=> i _; exact: dropD.
+by apply: blossom_ext => i _; exact: dropD.
 Qed.
 
 (** BZZ19.3 joints_needs_multiplicity: at a knot of multiplicity $d+1$ it need not be: $d=1$, knots $0,1,1,2$ and coefficients $0,0,1,1$.

@@ -3,7 +3,7 @@
      starts u M a b       (M - u_a) ... (M - u_{b-1})
      finishes u n M a b   (M - u_{a+n}) ... (M - u_{b-1+n}) *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_net FJ07_3_blossoms.
+From Torse Require Import Joints Blossom Curves Points FJ07_3_net FJ07_3_blossoms.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -91,61 +91,58 @@ Section Smooth.
 Variable F : fieldType.
 Implicit Types (u b : nat -> F) (n k : nat).
 
-(* Neighbouring pieces have the same blossom where one argument is the knot between them. *)
-Lemma shared_last u b v : span (size v).+1 u -> span (size v).+1 (shift u) ->
-  blossom u b (v ++ [:: at_ (u (size v).+1)]) = blossom (shift u) (shift b) (v ++ [:: at_ (u (size v).+1)]).
-Proof.
-elim: v u b => [|y v ih] u b sp sp' /=; last first.
-  have := ih (shift u) (step u (size v).+2 y b) (span_shift sp) (span_shift sp'); rewrite /= size_cat addn1 => ->.
-  by [].
-have u0 : u 1%N - u 0%N != 0 by rewrite -unitfE; apply: sp.
-have u1 : u 2%N - u 1%N != 0 by rewrite -unitfE; apply: (sp' 0%N 1%N).
-by rewrite /step /shift /at_ /= !addn1 !mul1r !subrr !mul0r add0r addr0 ![_ * b 1%N]mulrC !mulfK.
-Qed.
-
-Lemma shared u b n v : (size v).+1 = n -> span n u -> span n (shift u) ->
-  blossom u b (at_ (u n) :: v) = blossom (shift u) (shift b) (at_ (u n) :: v).
-Proof.
-move=> <- sp sp'; have pe : perm_eq (at_ (u (size v).+1) :: v) (v ++ [:: at_ (u (size v).+1)]) by rewrite -cat1s perm_catC.
-rewrite (blossoms_symmetric b (v := _ :: v) _ pe) // (blossoms_symmetric (shift b) (v := _ :: v) _ pe) //; exact: shared_last.
-Qed.
-
 Lemma any_argument (L M : F) x : L != M -> x = comb ((x.1 - x.2 * M) / (L - M)) (at_ L) ((x.2 * L - x.1) / (L - M)) (at_ M).
 Proof. by rewrite -subr_eq0; case: x => a w d; rewrite /comb /at_ /=; congr (_, _); field. Qed.
 
-(** FJ07.13 smooth: at an inner knot $M^{*}=u_{k+n}$ between two pieces, and for $\Lambda^{*}\ne M^{*}$, equation (13) in the cells $k,\dots,k+n$ of both pieces asks
-    that they are one polynomial, $c_k[v_1,\dots,v_n]=c_{k+1}[v_1,\dots,v_n]$: a spline with a knot there that it needs has no net with this $M^{*}$.
-    Hypotheses: $\Lambda^{*}\ne M^{*}$; the knots carry both pieces (so the knot is simple), so that their points have a meaning.
+(** FJ07.13 smooth: at an inner knot $M^{*}=u_{k+n}=\dots=u_{k+n+r}$ of multiplicity $r+1$ between two pieces, and for $\Lambda^{*}\ne M^{*}$, equation (13) in the cells
+    $k,\dots,k+n+r$ of both pieces asks that they join with one derivative more than such a knot allows,
+    $c_k[M^{*\langle r\rangle},v_1,\dots,v_{n-r}]=c_{k+r+1}[M^{*\langle r\rangle},v_1,\dots,v_{n-r}]$, class $C^{n-r}$; for $r=0$ they are one polynomial. A spline that
+    needs all its knots there has no net with this $M^{*}$.
+    Hypotheses: $\Lambda^{*}\ne M^{*}$; the knots carry both pieces, so that their points have a meaning.
     Paper: passes over it. *)
-Theorem FJ07_13_smooth m u n k L M (c d : nat -> 'rV[F]_m) v : M = u (k + n)%N -> L != M ->
-  span n (drop_ k u) -> span n (drop_ k.+1 u) -> (forall i, (k <= i <= k + n)%N -> cell u n L M c d i) ->
-  size v = n -> pblossom (drop_ k u) (drop_ k c) v = pblossom (drop_ k.+1 u) (drop_ k.+1 c) v.
+Theorem FJ07_13_smooth m u n r k L M (c d : nat -> 'rV[F]_m) v : (forall i, (n <= i <= n + r)%N -> u (k + i)%N = M) -> L != M ->
+  span n (drop_ k u) -> span n (drop_ (k + r.+1) u) -> (forall i, (k <= i <= k + n + r)%N -> cell u n L M c d i) ->
+  (r + size v)%N = n -> pblossom (drop_ k u) (drop_ k c) (nseq r (at_ M) ++ v)
+    = pblossom (drop_ (k + r.+1) u) (drop_ (k + r.+1) c) (nseq r (at_ M) ++ v).
 Proof.
-case: n => [|n] eM LM sp sp' cells sz.
-  case: v sz => [|//] _; have := cells k; rewrite addn0 leqnn => /(_ isT).
-  rewrite /cell addn0 eM addn0 subrr !scale0r addr0 -opprB scaleNr addrC -scalerBr => /eqP; rewrite scaler_eq0.
-  rewrite subr_eq0 -(addn0 k) -eM (negPf LM) addn0 /= subr_eq0 => /eqP e.
-  by apply/rowP=> j; rewrite !mxE /coord /drop_ /= !addn0 e.
-case: v sz => // x v [sz].
-have shiftE (T : Type) (w : nat -> T) i : shift (drop_ k w) i = drop_ k.+1 w i by rewrite /shift /drop_ addnS.
-have sps : span n.+1 (shift (drop_ k u)) by move=> i j h1 h2; rewrite !shiftE; apply: sp'.
-have atM (b : nat -> 'rV[F]_m) l : blossom (drop_ k u) (coord (drop_ k b) l) (at_ M :: v) = blossom (drop_ k.+1 u) (coord (drop_ k.+1 b) l) (at_ M :: v).
-  rewrite eM -[u _]/(drop_ k u n.+1) shared ?sz // (@blossom_ext_knots _ _ (drop_ k.+1 u)) //.
-  by apply: blossom_ext => i _; rewrite -[LHS]/(coord (shift (drop_ k b)) l i) /coord shiftE.
-have rel j : (j <= 1)%N -> span n.+1 (drop_ (k + j) u) -> related (drop_ (k + j) u) n.+1 L M (drop_ (k + j) c) (drop_ (k + j) d).
-  by move=> le_j spj; apply/FJ07_T1_piece => // i lt_i; apply/cell_drop; apply: cells; rewrite -addnA leq_addr leq_add2l; lia.
-have r0 := rel 0%N isT; have r1 := rel 1%N isT; rewrite addn0 in r0; rewrite addn1 in r1.
-have {r0}/rowP r0 := r0 sp v (congr1 S sz); have {r1}/rowP r1 := r1 sp' v (congr1 S sz).
-have atL l : blossom (drop_ k u) (coord (drop_ k c) l) (at_ L :: v) = blossom (drop_ k.+1 u) (coord (drop_ k.+1 c) l) (at_ L :: v).
+move=> eM LM sp sp' cells sz.
+have dropD (T : Type) (w : nat -> T) i : drop_ r.+1 (drop_ k w) i = drop_ (k + r.+1) w i by rewrite /drop_ addnA.
+case: v sz => [|x v] /= sz.
+  have {sz} er : r = n by rewrite -sz addn0.
+  subst r.
+  have e : c (k + n)%N = c (k + n).+1.
+    have := cells (k + n)%N; rewrite leq_addr leq_addr => /(_ isT).
+    rewrite /cell -addnA !eM ?leqnn ?leq_addr // subrr !scale0r addr0 -opprB scaleNr addrC -scalerBr => /eqP.
+    by rewrite scaler_eq0 subr_eq0 (negPf LM) subr_eq0 => /eqP.
+  rewrite cats0; apply/rowP=> j; rewrite !mxE.
+  rewrite -{1}(@knots_same _ (drop_ k u) n n M); last by move=> l h; apply: eM; clear -h; lia.
+  rewrite -(@knots_same _ (drop_ (k + n.+1) u) 0 n M); last by move=> l h; rewrite /drop_ -addnA; apply: eM; clear -h; lia.
+  by rewrite !blossoms_knots // /coord /drop_ addn0 e addnS.
+have sz' : (r.+1 + size v)%N = n by rewrite -sz addSnnS.
+have nseqS (y : F * F) : nseq r y ++ y :: v = y :: nseq r y ++ v by elim: (r) => //= r' ->.
+have atM (b : nat -> 'rV[F]_m) l : blossom (drop_ k u) (coord (drop_ k b) l) (at_ M :: nseq r (at_ M) ++ v)
+    = blossom (drop_ (k + r.+1) u) (coord (drop_ (k + r.+1) b) l) (at_ M :: nseq r (at_ M) ++ v).
+  have sp2 : span n (drop_ r.+1 (drop_ k u)) by move=> i j h1 h2; rewrite !dropD; apply: sp'.
+  rewrite -[at_ M :: _]/(nseq r.+1 (at_ M) ++ v) (blossoms_joint _ sz' sp sp2); last by move=> i h; apply: eM; lia.
+  rewrite (@blossom_ext_knots _ _ (drop_ (k + r.+1) u)); last by move=> i _; exact: dropD.
+  by apply: blossom_ext => i _; rewrite -[LHS]/(coord (drop_ r.+1 (drop_ k b)) l i) /coord dropD.
+have rel j : (j <= r.+1)%N -> span n (drop_ (k + j) u) -> related (drop_ (k + j) u) n L M (drop_ (k + j) c) (drop_ (k + j) d).
+  by move=> le_j spj; apply/FJ07_T1_piece => // i lt_i; apply/cell_drop; apply: cells; clear -le_j lt_i; lia.
+have szw : (size (nseq r (at_ M) ++ v)).+1 = n by rewrite size_cat size_nseq -sz'.
+have r0 := rel 0%N isT; rewrite addn0 in r0; have /rowP {}r0 := r0 sp _ szw; have /rowP r1 := rel r.+1 (leqnn _) sp' _ szw.
+have move_x w b y : span n w -> blossom w b (nseq r (at_ M) ++ y :: v) = blossom w b (y :: nseq r (at_ M) ++ v).
+  by move=> spw; apply: (@blossom_move F); rewrite size_nseq (_ : (r + size v).+1 = n).
+have atL l : blossom (drop_ k u) (coord (drop_ k c) l) (at_ L :: nseq r (at_ M) ++ v)
+    = blossom (drop_ (k + r.+1) u) (coord (drop_ (k + r.+1) c) l) (at_ L :: nseq r (at_ M) ++ v).
   by have := r0 l; have := r1 l; rewrite !mxE => -> ->; exact: atM.
-have lin w b s y t z : blossom w b (comb s y t z :: v) = s * blossom w b (y :: v) + t * blossom w b (z :: v).
-  exact: (@blossoms_multilinear F w b [::] v).
-apply/rowP=> l; rewrite !mxE (any_argument x LM).
+have lin w b s y t z : blossom w b (comb s y t z :: nseq r (at_ M) ++ v) = s * blossom w b (y :: nseq r (at_ M) ++ v) + t * blossom w b (z :: nseq r (at_ M) ++ v).
+  exact: (@blossoms_multilinear F w b [::] (nseq r (at_ M) ++ v)).
+apply/rowP=> l; rewrite !mxE !move_x // (any_argument x LM).
 by rewrite !lin atL atM.
 Qed.
 
 (** FJ07.13 smooth_needs_distinct: for $\Lambda^{*}=M^{*}$ at the inner knot 1 of the knots $0,1,2$, $n=1$, the net $d=c$ of the bent polygon $0,0,1$ obeys (13).
-    Hypotheses: $2\ne0$ in the field, so that the knots carry their pieces. *)
+    Hypotheses: none. *)
 Theorem FJ07_13_smooth_needs_distinct (u := fun i : nat => i%:R : F) (c := fun i : nat => const_mx (i == 2%N)%:R : 'rV[F]_1) :
   [/\ span 1 (drop_ 0 u), span 1 (drop_ 1 u), forall i, cell u 1 1 1 c c i &
       pblossom (drop_ 0 u) (drop_ 0 c) [:: at_ 2%:R] <> pblossom (drop_ 1 u) (drop_ 1 c) [:: at_ 2%:R]].
