@@ -104,8 +104,11 @@ void add_elementary(const gp_Ax3& frame, const Profile& profile, CadRange u, Cad
 
 void add_extrusion(const Geom_SurfaceOfLinearExtrusion& surface, CadRange u, CadRange v, double resolution,
                    CadFace& face) {
-  CadRange natural{surface.BasisCurve()->FirstParameter(), surface.BasisCurve()->LastParameter()};
-  auto [rail, along] = rail_of(surface.BasisCurve(), snapped(u, natural, resolution));
+  const Handle(Geom_Curve) curve = surface.BasisCurve();
+  const CadRange natural{curve->FirstParameter(), curve->LastParameter()};
+  const bool over_the_seam =
+      curve->IsPeriodic() && (u.from < natural.from - resolution || u.to > natural.to + resolution);
+  auto [rail, along] = rail_of(curve, over_the_seam ? u : snapped(u, natural, resolution));
   face.strips.push_back({CadExtrusion{std::move(rail), point_of(surface.Direction().XYZ()), {}}, along, v});
 }
 
@@ -131,6 +134,8 @@ void add_turned(const Geom_SurfaceOfRevolution& surface, CadRange u, CadRange v,
 }
 
 Net net_of(const Geom_BSplineSurface& surface) {
+  // OpenCASCADE 7.6 leaves weights of zero to a polynomial surface that was periodic.
+  const bool rational = surface.IsURational() || surface.IsVRational();
   Net net{surface.UDegree(),
           surface.VDegree(),
           list_of(surface.UKnotSequence()),
@@ -141,7 +146,7 @@ Net net_of(const Geom_BSplineSurface& surface) {
   for (int i = 1; i <= surface.NbUPoles(); ++i) {
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
       net.points.push_back(point_of(surface.Pole(i, j).XYZ()));
-      net.weights.push_back(surface.Weight(i, j));
+      net.weights.push_back(rational ? surface.Weight(i, j) : 1);
     }
   }
   return net;
@@ -190,7 +195,10 @@ std::pair<CadRail, std::optional<CadRange>> rail_of(const Handle(Geom_Curve) & g
     return {CadRail{1, {0, 0, 1, 1}, {from, point_of(line->Value(range.to).XYZ())}, {1, 1}}, std::nullopt};
   }
   if (const Handle(Geom_BSplineCurve) spline = as<Geom_BSplineCurve>(curve); !spline.IsNull()) {
-    return {rail_of_spline(spline), part};
+    if (range.from >= natural.from && range.to <= natural.to) return {rail_of_spline(spline), part};
+    const auto over_the_seam = as<Geom_BSplineCurve>(spline->Copy());
+    over_the_seam->Segment(range.from, range.to);
+    return {rail_of_spline(over_the_seam), std::nullopt};
   }
   if (curve->IsKind(STANDARD_TYPE(Geom_BezierCurve)))
     return {rail_of_spline(GeomConvert::CurveToBSplineCurve(curve)), part};

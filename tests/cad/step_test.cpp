@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -182,6 +183,42 @@ TEST_F(Step, AFaceThatCoversAPartOfItsSurfaceIsThatPart) {
   EXPECT_NEAR(ruled.d.points[1][2].to_double(), 2.625, 1e-6);
   // On the surface exactly, whatever the parameters are.
   for (const Vec<Rational, 3>& x : ruled.d.points) EXPECT_EQ(x[2], x[0] * x[1] / Rational(4));
+}
+
+/// A circle moved along its axis, of which a face takes the angles from 3 to 7: they pass the circle's first point.
+TEST_F(Step, AFaceOverTheSeamOfAnExtrusion) {
+  StepText step;
+  const auto circle = [&](const std::string& z) {
+    return step.add("CIRCLE(''," + step.frame("0.,0.," + z, "0.,0.,1.", "1.,0.,0.") + ",2.)");
+  };
+  const auto at = [](double angle, double z) {
+    return std::to_string(2 * std::cos(angle)) + "," + std::to_string(2 * std::sin(angle)) + "," + std::to_string(z);
+  };
+  const auto vertex = [&](double angle, double z) {
+    return step.add("VERTEX_POINT(''," + step.point(at(angle, z)) + ")");
+  };
+  const std::string low = vertex(3, 0), high = vertex(3, 1), end = vertex(7, 0), top = vertex(7, 1);
+  const auto edge = [&](const std::string& from, const std::string& to, const std::string& curve, const char* sense) {
+    const std::string whole = step.add("EDGE_CURVE(''," + from + "," + to + "," + curve + ",.T.)");
+    return step.add("ORIENTED_EDGE('',*,*," + whole + "," + sense + ")");
+  };
+  const auto upright = [&](double angle) {
+    const std::string vector = step.add("VECTOR(''," + step.direction("0.,0.,1.") + ",1.)");
+    return step.add("LINE(''," + step.point(at(angle, 0)) + "," + vector + ")");
+  };
+  const std::string loop = edge(low, end, circle("0."), ".T.") + "," + edge(end, top, upright(7), ".T.") + "," +
+                           edge(high, top, circle("1."), ".F.") + "," + edge(low, high, upright(3), ".F.");
+  const std::string bound = step.add("FACE_OUTER_BOUND(''," + step.add("EDGE_LOOP('',(" + loop + "))") + ",.T.)");
+  const std::string wall = step.add("SURFACE_OF_LINEAR_EXTRUSION(''," + circle("0.") + "," +
+                                    step.add("VECTOR(''," + step.direction("0.,0.,1.") + ",1.)") + ")");
+  const auto read = faces(step.file({step.add("ADVANCED_FACE('wall',(" + bound + ")," + wall + ",.T.)")}, true));
+  ASSERT_EQ(read.size(), 1U);
+  ASSERT_TRUE(read[0].surface);
+  const auto& rail = read[0].surface->c.points;
+  EXPECT_NEAR(rail.front()[0].to_double(), 2 * std::cos(3), 1e-5);
+  EXPECT_NEAR(rail.front()[1].to_double(), 2 * std::sin(3), 1e-5);
+  EXPECT_NEAR(rail.back()[0].to_double(), 2 * std::cos(7), 1e-5);
+  EXPECT_NEAR(rail.back()[1].to_double(), 2 * std::sin(7), 1e-5);
 }
 
 /// A shape that no product claims is no root of the file, and its face is cut all the same.
