@@ -46,7 +46,17 @@ TEST(List, OfOnePaperOfEnginesAndOfProperties) {
   EXPECT_EQ(first_words(run_program({"list", "--engines"}).out),
             (std::vector<std::string>{"symbolic", "modular", "rational", "ball", "numeric", "mutation"}));
   const std::vector<std::string> properties = first_words(run_program({"list", "--properties"}).out);
-  EXPECT_EQ(properties.size(), json::parse(run_program({"list", "--json", "-"}).out).at("properties").size());
+  const json report = json::parse(run_program({"list", "--json", "-"}).out);
+  std::string engines;
+  for (const json& engine : report.at("engines")) {
+    engines += engine.at("name").get<std::string>() +
+               std::string(9 - engine.at("name").get<std::string>().size(), ' ') + " " +
+               engine.at("scalar").get<std::string>() + ": " + engine.at("may_say").get<std::string>() + "\n";
+  }
+  EXPECT_EQ(engines, run_program({"list", "--engines"}).out);
+  std::vector<std::string> names;
+  for (const json& property : report.at("properties")) names.push_back(property.at("name"));
+  EXPECT_EQ(names, properties);
   EXPECT_THAT(properties, ::testing::Contains("text.number"));
   EXPECT_THAT(properties, Not(::testing::Contains("FJ07.1")));
   const ProgramResult wrong = run_program({"list", "--paper", "FJ08"});

@@ -251,6 +251,10 @@ TEST_F(Construct, DirectrixWhoseFamilyKeepsTheFirstRuling) {
 TEST_F(Construct, DirectrixWithoutSolutionOrChoice) {
   expect_refused(directrix_of({1, 4}, {1, 0, 3}), "add up to 0 = (", 1);
   expect_refused(directrix_of({-1}, {0, 1}), "no rulings: equation j compares the coefficients of B_j of degree 3", 1);
+  // With a = -1, b = u only c''(0) = 0 has solutions; here 6 (c_0 - 2 c_1 + c_2) = (0, -42, -66), a third of which is
+  // what the first two coefficients of degree 3 differ by.
+  expect_refused(directrix_of({-1}, {0, 1}), "-1 times equation 0, 1 times equation 1\nadd up to 0 = (0, -14, -22)\n",
+                 1);
   expect_refused(directrix_of({2}, {0, 1}, {{"d0", {1, 2, 3}}}), "there is nothing to choose");
   expect_refused(directrix_of({0, 0}, {0}), ": a (line 1");
   expect_refused(directrix_of(json::array(), {1}), "expected 1 to 101 Bernstein coefficients");

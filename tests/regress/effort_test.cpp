@@ -80,7 +80,7 @@ class Effort : public ::testing::Test {
 TEST_F(Effort, LongFractionsOfAHighDegreeAreRefused) {
   const ProgramResult result = run(cone_of_fractions(60, 400), "check", {});
   EXPECT_EQ(result.exit, 2);
-  EXPECT_THAT(result.err, HasSubstr("expected a surface of effort 2^40 at most, found 2^41."));
+  EXPECT_THAT(result.err, HasSubstr("net.json: expected a surface of effort 2^40 at most, found 2^41."));
   EXPECT_THAT(result.err, HasSubstr("122 control points of degree 60"));
   EXPECT_EQ(run(cone_of_fractions(60, 40), "check", {}).exit, 0);
 }

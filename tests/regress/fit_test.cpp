@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <regex>
 
 #include "support/program.hpp"
 #include "torse/algebra/determinant.hpp"
@@ -346,6 +347,19 @@ TEST_F(Fit, DrawsItself) {
     std::size_t quadrangles = 0;
     for (std::size_t at = svg.find("Z\"/>"); at != std::string::npos; at = svg.find("Z\"/>", at + 1)) ++quadrangles;
     EXPECT_GT(quadrangles, 400U);
+    // Each strip in its frame of 430 by 310, which one of them fills in a direction.
+    const std::regex corner("[M ]([-0-9.]+),([-0-9.]+)(?=[ Z\"])");
+    double reach = 0;
+    const std::string strips = svg.substr(0, svg.find(">mapping<"));
+    for (std::sregex_iterator found(strips.begin(), strips.end(), corner), end; found != end; ++found) {
+      const double x = std::stod(found->str(1));
+      const double y = std::stod(found->str(2));
+      const double across = std::abs(x - (x < 480 ? 245 : 715)) / 215;
+      const double up = std::abs(y - 205) / 155;
+      EXPECT_LE(std::max(across, up), 1.0001) << found->str();
+      reach = std::max({reach, across, up});
+    }
+    EXPECT_NEAR(reach, 1, 1e-4);
   }
 }
 

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "torse/cli/campaign.hpp"
+#include "torse/io/document.hpp"
 
 namespace torse::cli {
 namespace {
@@ -38,6 +41,91 @@ TEST(CampaignReport, NothingFoundOutIsAFailure) {
   const ReportCase found = cases_of({vacuous}, {"runs.db", ""}).front();
   EXPECT_EQ(found.outcome, Outcome::failed);
   EXPECT_EQ(found.message, "vacuous: no case has weights");
+}
+
+/// What is printed, in a file instead of a terminal.
+template <class Print>
+std::string printed(Print print) {
+  std::FILE* file = std::tmpfile();
+  print(Terminal(file));
+  std::string text(static_cast<std::size_t>(std::ftell(file)), ' ');
+  std::rewind(file);
+  EXPECT_EQ(std::fread(text.data(), 1, text.size(), file), text.size());
+  std::fclose(file);
+  return text;
+}
+
+/// Values with 1, 2, ... cases each, named by their numbers of cases.
+void add_values(fuzz::Distribution& distribution, const std::string& key, std::uint64_t count) {
+  for (std::uint64_t i = 1; i <= count; ++i) distribution.add(key, "v" + std::to_string(i), i);
+}
+
+TEST(CampaignReport, SharesOfTwelveValuesAreShown) {
+  SeriesReport report = series(0);
+  add_values(report.tally.labels, "degree", 3);
+  add_values(report.tally.labels, "few", 12);
+  add_values(report.tally.labels, "many", 13);
+  report.tally.discarded = 4;
+  report.tally.discards.add("reason", "a knot", 3);
+  report.tally.discards.add("reason", "no plane", 1);
+  EXPECT_EQ(printed([&](const Terminal& terminal) { print_reports(terminal, {report}); }),
+            "property                 effort        seeds        cases   failed  discarded   cases/s core\n"
+            "text.number              quick             2         1000        0          4           2000\n"
+            "  degree                 v3 3 (50.0%), v2 2 (33.3%), v1 1 (16.7%)\n"
+            "  few                    v12 12 (15.4%), v11 11 (14.1%), v10 10 (12.8%), v9 9 (11.5%), v8 8 (10.3%), "
+            "v7 7 (9.0%), v6 6 (7.7%), v5 5 (6.4%), v4 4 (5.1%), v3 3 (3.8%), v2 2 (2.6%), v1 1 (1.3%)\n"
+            "  many                   v13 13 (14.3%), v12 12 (13.2%), v11 11 (12.1%), v10 10 (11.0%), v9 9 (9.9%), "
+            "v8 8 (8.8%), v7 7 (7.7%), v6 6 (6.6%), v5 5 (5.5%), v4 4 (4.4%), v3 3 (3.3%), v2 2 (2.2%), and 1 more\n"
+            "  discarded              a knot 3 (75.0%), no plane 1 (25.0%)\n");
+  report.seconds = 0;
+  EXPECT_EQ(report.speed(), 0);
+}
+
+TEST(CampaignReport, FailuresWithTheirCommands) {
+  SeriesReport failing = series(2);
+  failing.vacuous = "no case has weights";
+  const CaseFiles files{"runs.db", "cases"};
+  const std::string one =
+      "failed: text.number, seed 7, quick effort: differs\n  case: cases/text.number-quick-7-3.json\n"
+      "  replay: torse replay cases/text.number-quick-7-3.json\n";
+  const auto text = [&](std::size_t count, const CaseFiles& where) {
+    failing.failures.resize(count, failing.failures.front());
+    return printed([&](const Terminal& terminal) { print_failures(terminal, {failing}, where); });
+  };
+  const std::string vacuous = "vacuous: text.number, quick effort: no case has weights\n";
+  EXPECT_EQ(text(1, files), vacuous + one);
+  EXPECT_EQ(text(1, {"runs.db", ""}),
+            vacuous + "failed: text.number, seed 7, quick effort: differs\n  replay: torse replay runs.db\n");
+  std::string twenty = vacuous;
+  for (int i = 0; i < 20; ++i) twenty += one;
+  EXPECT_EQ(text(20, files), twenty);
+  EXPECT_EQ(text(22, files), twenty + "and 2 failing cases more\n");
+}
+
+TEST(CampaignReport, NamesThatAreNoFilesAreRefused) {
+  SeriesReport strange = series(1);
+  strange.failures[0].series.property = "../text";
+  EXPECT_EQ(CaseFiles({"runs.db", ""}).path(strange.failures[0]), "");
+  try {
+    CaseFiles({"runs.db", "cases"}).path(strange.failures[0]);
+    FAIL() << "a folder above";
+  } catch (const FileError& error) {
+    EXPECT_STREQ(error.what(), "runs.db: expected the name of a property and an effort, found \"../text\"");
+  }
+}
+
+TEST(CampaignReport, EveryMemberOfTheJson) {
+  SeriesReport report = series(4);
+  report.tally.discarded = 1;
+  report.tally.labels.add("degree", "2", 600);
+  report.tally.discards.add("reason", "a knot", 1);
+  nlohmann::ordered_json json;
+  add_reports(json, {report}, {"runs.db", "cases"});
+  EXPECT_EQ(json, nlohmann::ordered_json::parse(R"({"properties": [{"property": "text.number", "effort": "quick",
+    "seeds": 2, "cases": 1000, "failed": 4, "discarded": 1, "vacuous": null, "seconds": 0.5, "cases_per_second": 2000.0,
+    "labels": {"degree": {"2": 600}}, "discards": {"reason": {"a knot": 1}}}],
+    "failures": [{"property": "text.number", "effort": "quick", "seed": 7, "case": 3, "message": "differs",
+    "file": "cases/text.number-quick-7-3.json", "replay": "torse replay cases/text.number-quick-7-3.json"}]})"));
 }
 
 }  // namespace

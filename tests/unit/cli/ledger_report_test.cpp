@@ -93,6 +93,15 @@ TEST(LedgerReport, LinesOfWhatHasNotPassedSayWhy) {
   EXPECT_THAT(survived, HasSubstr("survived: a wrong sign\n"));
 }
 
+TEST(LedgerReport, ScoresOfOneAndOfNone) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+  Finding mutation = finding("mutation", Status::supported, "1 of 1");
+  mutation.mutants = {1, 0, 0};
+  const std::string text =
+      ledger_text({entry({finding("symbolic", Status::proved, "for all"), mutation})}, {}, Terminal(file.get()));
+  EXPECT_THAT(text, HasSubstr("      -    1/1           -  "));
+}
+
 TEST(LedgerReport, TheTallyIsInTheOrderOfStrength) {
   EXPECT_THAT(tally_of({fails(), holds(), surviving(), open()}),
               ::testing::StartsWith("4 claims: 2 Proved, 1 Refuted, 1 Undecided, 1 surviving mutants"));

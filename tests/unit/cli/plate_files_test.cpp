@@ -92,6 +92,46 @@ TEST(Letterings, CanBeReadAndFitTheRulings) {
   EXPECT_EQ(letter_height(plate), 2);
 }
 
+/// The parts of the outline in the order of its edges: C, the last ruling, D backwards, the first ruling.
+TEST(PlateJson, EveryMember) {
+  PlateSheet bad = sheet();
+  Plate& plate = bad.plate;
+  for (int i = 0; i < 4; ++i) plate.parameters.push_back(ratio<Rational>(i, 3));
+  plate.vertex_error = 0.125;
+  plate.ruling_error = 0.25;
+  plate.stretch = 0.5;
+  plate.area_before = Interval::hull(51000, 52000);
+  plate.rulings.resize(1, plate.rulings.front());
+  plate.rulings[0] = {ratio<Rational>(2, 3), 2, Interval::hull(63, 65), 0.0625, 36.5};
+  plate.overlap.verdict = Truth::yes;
+  plate.overlap.meetings = {{0, 7, {1, 2}, true}, {2, 4, {3, 4}, false}, {3, 6, {5, 6}, true}};
+  plate.c.deviation.clear();
+  bad.warp = Interval::hull(0.25, 0.75);
+  bad.tolerance = 0.001;
+  bad.mirrored = true;
+  EXPECT_EQ(nlohmann::json::parse(plate_json(bad)), nlohmann::json::parse(R"({
+    "torse": 1, "type": "plate", "name": "band & é →", "unit": "mm", "tolerance": 0.001, "mirrored": true,
+    "developable": true, "class": "plane", "max_warp_deg": {"lo": 0.25, "hi": 0.75}, "width": 800.0, "height": 64.0,
+    "parameters": ["0", "1/3", "2/3", "1"],
+    "c": {"points": [[0.0, 0.0], [200.0, 0.0], [400.0, 0.0], [800.0, 0.0]],
+          "length": {"before": {"lo": 800.0, "hi": 800.0}, "after": {"lo": 800.0, "hi": 800.0}, "error": 0.5}},
+    "d": {"points": [[0.0, 64.0], [200.0, 64.0], [400.0, 64.0], [800.0, 64.0]],
+          "length": {"before": {"lo": 800.0, "hi": 800.0}, "after": {"lo": 800.0, "hi": 800.0}, "error": 0.25}},
+    "rulings": [{"t": "2/3", "vertex": 2, "length": {"lo": 63.0, "hi": 65.0}, "error": 0.0625, "bend_deg": 36.5}],
+    "error": {"vertex": 0.125, "boundary": 0.001, "ruling": 0.25, "inside": 0.5},
+    "area": {"before": {"lo": 51000.0, "hi": 52000.0}, "after": {"lo": 51200.0, "hi": 51200.0}},
+    "overlap": {"verdict": true, "meetings": [
+      {"first": {"rail": "c", "from": "0", "to": "1/3"}, "second": {"rail": null, "from": "0", "to": "0"},
+       "at": [1.0, 2.0], "certain": true},
+      {"first": {"rail": "c", "from": "2/3", "to": "1"}, "second": {"rail": "d", "from": "2/3", "to": "1"},
+       "at": [3.0, 4.0], "certain": false},
+      {"first": {"rail": null, "from": "1", "to": "1"}, "second": {"rail": "d", "from": "0", "to": "1/3"},
+       "at": [5.0, 6.0], "certain": true}]}})"));
+  bad.plate.overlap = {Truth::unknown, {}};
+  EXPECT_EQ(nlohmann::json::parse(plate_json(bad))["overlap"],
+            nlohmann::json::parse(R"({"verdict": null, "meetings": []})"));
+}
+
 /// What a group of the drawing holds.
 std::string svg_group(const std::string& svg, const std::string& id) {
   const std::size_t begin = svg.find('\n', svg.find("<g id=\"" + id + "\"")) + 1;

@@ -80,6 +80,31 @@ TEST(StudyReport, RowsQuoteWhatNeedsIt) {
   EXPECT_EQ(std::ranges::count(study_csv(part, records()), '\n'), 5);  // no header
 }
 
+/// A row of the failed case alone: the factors, the route, what is not there, the input, more.
+TEST(StudyReport, EveryFieldOfARow) {
+  std::string names;
+  std::string values;
+  const studies::Levels levels;
+  for (std::size_t i = 0; i < studies::factor_names.size(); ++i) {
+    names += std::string(studies::factor_names[i]) + ",";
+    const double level = studies::factor_names[i] == "pieces" ? 4 : levels[static_cast<studies::Factor>(i)];
+    values += (studies::factor_names[i] == "pieces" ? "4" : Json(level).dump()) + ",";
+  }
+  EXPECT_EQ(study_csv(task(), {records()[2]}),
+            "study,case,repetition," + names +
+                "route,scalar,finite,ulps,units,conditioned,condition,backward,warp_deg,bound,input,more\nd,2,0," +
+                values + "FJ07.13.rulings,float,false,,,,,,,,\"{\"\"a\"\":\"\"b,\\\"\"c\\\"\"\"\"}\",{}\n");
+  studies::Task verdicts = task();
+  verdicts.design.verdicts = true;
+  Json line = Json::parse(record(5, 4, {}));
+  line["developable"] = true;
+  line["results"] = Json::array({{{"test", "double, 0"}, {"says_developable", false}, {"wrong", true}}});
+  line["input"] = "x";
+  EXPECT_EQ(study_csv(verdicts, {line.dump()}), "study,case,repetition," + names +
+                                                    "developable,test,says_developable,wrong,input\nd,5,0," + values +
+                                                    "true,\"double, 0\",false,true,x\n");
+}
+
 TEST(StudyReport, ThePageHasTheSameNumbers) {
   const Json section = study_section(task(), summary_of(task(), records()));
   EXPECT_EQ(section["kind"], "plots");
@@ -130,6 +155,20 @@ std::string printed(const studies::Task& task, const StudySummary& summary) {
   EXPECT_EQ(std::fread(text.data(), 1, text.size(), file), text.size());
   std::fclose(file);
   return text;
+}
+
+TEST(StudyReport, EveryLevelIsPrinted) {
+  const std::string text = printed(task(), summary_of(task(), records()));
+  EXPECT_NE(text.find("\nmedian error in u by pieces                  1         4\n"
+                      "FJ07.13.rulings            float               3         5\n"
+                      "FJ07.13.rulings            double              1         7\n"),
+            std::string::npos)
+      << text;
+  const std::string part = printed(task(), summary_of(task(), {records()[0]}));
+  EXPECT_NE(part.find("FJ07.13.rulings            float               3         -\n"), std::string::npos) << part;
+  studies::Task fixed = task();
+  fixed.design.variations[0].levels = {4};
+  EXPECT_EQ(printed(fixed, summary_of(fixed, records())).find("median error"), std::string::npos);
 }
 
 TEST(StudyReport, FailedCasesArePrinted) {
