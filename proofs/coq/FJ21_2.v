@@ -142,7 +142,7 @@ Lemma det_pfun p p' q q' : (\det (rows4 p p' q q'))%:F = \det (rows4 (pfun p) (p
 Proof. by rewrite -det_map_mx; congr (\det _); apply/matrixP=> -[[|[|[|[|//]]]] lt_i] j; rewrite !mxE. Qed.
 
 (** FJ21.C3.1 tangents: $w^2\omega^2\,(d-c)\cdot(c'\times d')=-\det(p,p',q,q')$ for any rows of polynomials $p=(w,wc)$, $q=(\omega,\omega d)$.
-    Hypotheses: the weights $w$, $\omega$ do not vanish identically. *)
+    Hypotheses: the weights $w$, $\omega$ do not vanish identically: there are curves $c$, $d$. *)
 Theorem FJ21_C3_1_tangents p q : weight p != 0 -> weight q != 0 ->
   ((weight p * weight q) ^+ 2)%:F * triple (affine q - affine p) (pfderiv (affine p)) (pfderiv (affine q))
     = - (\det (rows4 p (pderiv p) q (pderiv q)))%:F.
@@ -152,7 +152,7 @@ by rewrite det_pfun -det_quotients ?weight_fun // !weightE.
 Qed.
 
 (** FJ21.2.1 determinant: the surface of $c=p/w$ and $d=q/\omega$ is developable iff $\det(p,p',q,q')$ is the zero polynomial.
-    Hypotheses: the weights $w$, $\omega$ do not vanish identically. *)
+    Hypotheses: the weights $w$, $\omega$ do not vanish identically: there are curves $c$, $d$. *)
 Theorem FJ21_2_1_determinant p q : weight p != 0 -> weight q != 0 ->
   rational_developable p q <-> \det (rows4 p (pderiv p) q (pderiv q)) = 0.
 Proof.

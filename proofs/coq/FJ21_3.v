@@ -93,7 +93,7 @@ Notation "x %:F" := (@FracField.tofrac [idomainType of {poly F}] x).
 Implicit Types (u : nat -> F) (c d : nat -> 'rV[F]_4) (a b : F) (n : nat).
 
 (** FJ21.3.2 homogeneous: $(b-a)\,p'(t)=n\,(p[t^{\langle n-1\rangle},b]-p[t^{\langle n-1\rangle},a])$ for all coordinates, the weight among them.
-    Hypotheses: the knots carry the piece. *)
+    Hypotheses: the knots carry the piece, so that the curve has a meaning. *)
 Theorem FJ21_3_2_homogeneous m n u (c : nat -> 'rV[F]_m) a b : span n u ->
   (b - a)%:P *: pderiv (pcurve n u c) = (last_point n u c b - last_point n u c a) *+ n.
 Proof.
@@ -104,7 +104,7 @@ Qed.
 
 (** FJ21.3.2 derivative: $c'(t)=\frac{n\,w_0^{n-1}w_1^{n-1}}{(b-a)\,w^2}\,(c_1^{n-1}-c_0^{n-1})$, where $c_0^{n-1}$, $c_1^{n-1}$ are the points of
     $p[t^{\langle n-1\rangle},a]$, $p[t^{\langle n-1\rangle},b]$: $a=0$, $b=1$ on $[0,1]$; $a=u_{n-1}$, $b=u_n$ on a piece of a spline.
-    Hypotheses: the knots carry the piece; $a\ne b$; the weights $w$, $w_0^{n-1}$, $w_1^{n-1}$ do not vanish identically.
+    Hypotheses: $a\ne b$; the knots carry the piece and the weights $w$, $w_0^{n-1}$, $w_1^{n-1}$ do not vanish identically, so that the curve and the points have a meaning.
     Paper: states none of them; its formula is for $b-a=1$. *)
 Theorem FJ21_3_2_derivative n u c a b (p := pcurve n u c) (p0 := last_point n u c a) (p1 := last_point n u c b) :
   span n u -> a != b -> weight p != 0 -> weight p0 != 0 -> weight p1 != 0 ->
@@ -142,7 +142,7 @@ Qed.
 (** FJ21.C3.1 determinant: $(b-a)^2w^2\omega^2\,(d-c)\cdot(c'\times d')=-n^2\det(p[t^{\langle n-1\rangle},a],p[t^{\langle n-1\rangle},b],
     q[t^{\langle n-1\rangle},a],q[t^{\langle n-1\rangle},b])$; the points $p_0^{n-1},p_1^{n-1}$ of the paper have $a=0$, $b=1$ on $[0,1]$ and $a=u_{n-1}$, $b=u_n$ on a
     piece of a spline.
-    Hypotheses: the knots carry the piece; the weights $w$, $\omega$ do not vanish identically. *)
+    Hypotheses: the knots carry the piece and the weights $w$, $\omega$ do not vanish identically, so that $c$, $d$ have a meaning. *)
 Theorem FJ21_C3_1_determinant n u c d a b (p := pcurve n u c) (q := pcurve n u d) :
   span n u -> weight p != 0 -> weight q != 0 ->
   (((b - a)%:P * weight p * weight q) ^+ 2)%:F * triple (affine q - affine p) (pfderiv (affine p)) (pfderiv (affine q))
@@ -162,7 +162,8 @@ Qed.
 
 (** FJ21.P3.1 points: $(d-c)\cdot(c'\times d')=-n^2\frac{w_0w_1\omega_0\omega_1}{(b-a)^2w^2\omega^2}\,[\,c_1-c_0,\,d_0-c_0,\,d_1-c_0\,]$
     for the points $c_0,c_1,d_0,d_1$ of the rows $p[t^{\langle n-1\rangle},a]$, ..., here without denominators.
-    Hypotheses: the knots carry the piece; none of the four weights vanishes identically. *)
+    Hypotheses: the knots carry the piece and none of the four weights vanishes identically, so that the four points have a meaning; $w$, $\omega$ do not vanish then
+    unless $n=0$ in the field, where both sides are 0 whatever stands for the left determinant. *)
 Theorem FJ21_P3_1_points n u c d a b (p := pcurve n u c) (q := pcurve n u d)
     (p0 := last_point n u c a) (p1 := last_point n u c b) (q0 := last_point n u d a) (q1 := last_point n u d b) :
   span n u -> weight p0 != 0 -> weight p1 != 0 -> weight q0 != 0 -> weight q1 != 0 ->
@@ -181,7 +182,7 @@ by rewrite det_pfun det_points ?weight_fun // /affine !weightE.
 Qed.
 
 (** FJ21.P3.1 coplanar: the surface is developable iff the points $c_0^{n-1}(t)$, $c_1^{n-1}(t)$, $d_0^{n-1}(t)$, $d_1^{n-1}(t)$ are coplanar.
-    Hypotheses: the knots carry the piece; $a\ne b$; $n\ne0$ in the field; none of the four weights vanishes identically.
+    Hypotheses: $a\ne b$; $n\ne0$ in the field; the knots carry the piece and none of the four weights vanishes identically, so that the points have a meaning.
     Paper: states none of them; where $w_0^{n-1}$ vanishes there is no point $c_0^{n-1}$, and Corollary 3.1 still holds. *)
 Theorem FJ21_P3_1_coplanar n u c d a b (p := pcurve n u c) (q := pcurve n u d)
     (p0 := last_point n u c a) (p1 := last_point n u c b) (q0 := last_point n u d a) (q1 := last_point n u d b) :
@@ -201,7 +202,7 @@ by rewrite eq_sym mulf_eq0 oppr_eq0 tofrac_eq0 (negPf nz') => /eqP.
 Qed.
 
 (** FJ21.C3.1 degree: that determinant has degree at most $4(n-1)$.
-    Hypotheses: $n>0$; the knots carry the piece: where two of them meet that must not, the rows have no meaning, though with $x/0=0$ the bound would hold. *)
+    Hypotheses: $n>0$ and the knots carry the piece, so that the rows have a meaning; with $x/0=0$ the bound would hold without. *)
 Theorem FJ21_C3_1_degree n u c d a b : (0 < n)%N -> span n u ->
   (size (\det (rows4 (last_point n u c a) (last_point n u c b) (last_point n u d a) (last_point n u d b)))%R <= (4 * (n - 1)).+1)%N.
 Proof.
@@ -210,7 +211,7 @@ by case: i => -[|[|[|[|//]]]] lt_i; apply: size_last_point.
 Qed.
 
 (** FJ21.C3.1 dependent: the surface is developable iff $p_0^{n-1},p_1^{n-1},q_0^{n-1},q_1^{n-1}$ are dependent over the polynomials.
-    Hypotheses: the knots carry the piece; $a\ne b$; $n\ne0$ in the field; the weights do not vanish identically. *)
+    Hypotheses: $a\ne b$; $n\ne0$ in the field; the knots carry the piece and the weights do not vanish identically, so that $c$, $d$ have a meaning. *)
 Theorem FJ21_C3_1_dependent n u c d a b (p := pcurve n u c) (q := pcurve n u d) :
   n%:R != 0 :> F -> span n u -> a != b -> weight p != 0 -> weight q != 0 -> rational_developable p q <->
   dependent4 (last_point n u c a) (last_point n u c b) (last_point n u d a) (last_point n u d b).

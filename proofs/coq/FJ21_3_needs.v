@@ -14,7 +14,13 @@ Definition row4 (R : ringType) (a b c d : R) : 'rV[R]_4 := \row_k nth 0 [:: a; b
 Lemma row4E (R : ringType) (a b c d : R) : [/\ row4 a b c d 0 0 = a, row4 a b c d 0 1 = b, row4 a b c d 0 2%:R = c & row4 a b c d 0 3%:R = d].
 Proof. by split; rewrite mxE. Qed.
 
-(* A family q = k p + V has no relation, nor have the tangents q = p'. *)
+Lemma det_row4 (R : idomainType) (a b c d e f g h i j k l w x y z : R) :
+  \det (rows4 (row4 a b c d) (row4 e f g h) (row4 i j k l) (row4 w x y z)) =
+  a * (f * (k * z - l * y) + g * (l * x - j * z) + h * (j * y - k * x)) - e * (b * (k * z - l * y) + c * (l * x - j * z) + d * (j * y - k * x))
+  + i * (b * (g * z - h * y) + c * (h * x - f * z) + d * (f * y - g * x)) - w * (b * (g * l - h * k) + c * (h * j - f * l) + d * (f * k - g * j)).
+Proof. by rewrite det_rows4 !place_seq !weight_seq !triple_vec /=; ring. Qed.
+
+(* A family q = k p + V has no relation; the tangents q = p' have one iff p depends on p' and p''. *)
 Lemma no_relation_translated (K : fieldType) m (p p' v : 'rV[K]_m) (k x y s : K) : free p p' v ->
   p + x *: p' <> s *: (k *: p + v + y *: (k *: p')).
 Proof.
@@ -23,10 +29,11 @@ move=> fr e; have /fr[/eqP s1 _ /eqP]: (1 - s * k) *: p + (x - s * y * k) *: p' 
 by rewrite oppr_eq0 => /eqP s0; rewrite s0 mul0r subr0 oner_eq0 in s1.
 Qed.
 
-Lemma no_relation_tangents (K : fieldType) m (p p' p'' : 'rV[K]_m) (x y s : K) : free p p' p'' -> p + x *: p' <> s *: (p' + y *: p'').
+Lemma relation_tangents (K : fieldType) m (p p' p'' : 'rV[K]_m) (x y s : K) :
+  p + x *: p' = s *: (p' + y *: p'') <-> p = (s - x) *: p' + (s * y) *: p''.
 Proof.
-move=> fr e; have /fr[/eqP]: 1 *: p + (x - s) *: p' + (- (s * y)) *: p'' = 0; last by rewrite oner_eq0.
-by transitivity (p + x *: p' - s *: (p' + y *: p'')); [by_entries h; ring | rewrite e subrr].
+split=> [e|->]; last by by_entries h; ring.
+by rewrite -[LHS](addrK (x *: p')) e; by_entries h; ring.
 Qed.
 
 Lemma tangent_differences (K : fieldType) m (p p' p'' : 'rV[K]_m) (t L M s n : K) : n != 0 ->
@@ -54,11 +61,12 @@ Qed.
 Section Needs.
 Variable F : fieldType.
 Notation K := {fraction {poly F}}.
+Notation "x %:F" := (@FracField.tofrac [idomainType of {poly F}] x).
 Implicit Types (n : nat) (L M s : K).
 
 (** FJ21.T3.1.excluded difference: for $q=p'$: $p_1^{n-1}-p_0^{n-1}=\frac1nq(t)$ for $p_i^{n-1}=p[t^{\langle n-1\rangle},i]$, and
     $p[t^{\langle n-1\rangle},\Lambda]-\sigma q[t^{\langle n-1\rangle},M]=p+\bigl(\frac{\Lambda-t}n-\sigma\bigr)p'-\sigma\frac{M-t}np''$.
-    Hypotheses: $n\ne0$ in the field. *)
+    Hypotheses: $n\ne0$ in the field, so that $\frac1n$ has a meaning. *)
 Theorem FJ21_T3_1_excluded_difference m n (p : 'rV[{poly F}]_m) L M s (T := FracField.tofrac 'X : K) : n%:R != 0 :> F ->
   ftangent n p 1 - ftangent n p 0 = n%:R^-1 *: pfun (pderiv p) /\
   ftangent n p L - s *: ftangent n (pderiv p) M
@@ -69,16 +77,24 @@ move: (pfun p) (pfun (pderiv p)) (pfun (pderiv (pderiv p))) => P P' P''.
 exact: tangent_differences.
 Qed.
 
-(** FJ21.T3.1.excluded relation: $p$ and $q=p'$ bound a developable surface, and no $\Lambda,M,\sigma$, in no degree, have
-    $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$.
-    Hypotheses: $p$, $p'$, $p''$ are independent over the rational functions; the weights $w$, $w'$ do not vanish identically. *)
-Theorem FJ21_T3_1_excluded_relation (p : 'rV[{poly F}]_4) : free (pfun p) (pfun (pderiv p)) (pfun (pderiv (pderiv p))) ->
-  weight p != 0 -> weight (pderiv p) != 0 -> rational_developable p (pderiv p) /\ forall n L M s, ~ frelated n p (pderiv p) L M s.
+(** FJ21.T3.1.excluded relation: $p$ and $q=p'$ bound a developable surface, and $\Lambda,M,\sigma$ with $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$
+    exist iff $p$ is a combination of $p'$ and $p''$ with rational coefficients.
+    Hypotheses: the weights $w$, $w'$ do not vanish identically, so that there are curves; $n\ne0$ in the field, for the "if", so that $p[t^{\langle n-1\rangle},\Lambda]$
+    has a meaning. *)
+Theorem FJ21_T3_1_excluded_relation (p : 'rV[{poly F}]_4) : weight p != 0 -> weight (pderiv p) != 0 ->
+  [/\ rational_developable p (pderiv p),
+      forall n L M s, frelated n p (pderiv p) L M s -> exists a b : K, pfun p = a *: pfun (pderiv p) + b *: pfun (pderiv (pderiv p))
+    & forall n (a b : K), n%:R != 0 :> F -> pfun p = a *: pfun (pderiv p) + b *: pfun (pderiv (pderiv p)) ->
+      exists L M s, s != 0 /\ frelated n p (pderiv p) L M s].
 Proof.
-move=> fr w0 om0; split=> [|n L M s]; last exact: no_relation_tangents.
-apply/FJ21_2_1_determinant => //; apply/det_dependent; exists 0, 1, (-1), 0; split.
-  by rewrite !xpair_eqE oner_eq0 andbF.
-by rewrite !scale0r add0r addr0 scale1r scaleN1r subrr.
+move=> w0 om0; split=> [|n L M s /relation_tangents e|n a b n0 e].
+- apply/FJ21_2_1_determinant => //; apply/det_dependent; exists 0, 1, (-1), 0; split.
+    by rewrite !xpair_eqE oner_eq0 andbF.
+  by rewrite !scale0r add0r addr0 scale1r scaleN1r subrr.
+- by eexists; eexists; exact: e.
+exists ('X%:F + (1 - a) * n%:R), ('X%:F + b * n%:R), 1; split; first exact: oner_neq0.
+rewrite /frelated /ftangent ![_ + _ * _]addrC !addrK !mulfK ?natrF0 //; apply/relation_tangents.
+by rewrite subKr mul1r.
 Qed.
 
 (** FJ21.T3.1 needs_generic: a cylinder over a parabola, $d=c+(0,0,1)$ with $c=(t,t^2,0)$ and weights 1: developable, and there are no
@@ -101,22 +117,15 @@ by rewrite dv !scale0r add0r addr0 scale1r scaleN1r subrr.
 Qed.
 
 (** FJ21.T3.1 needs_tangents: between $p=(1+t,t,t^2,t^3)$ and $q=p'$, a patch of the tangent surface of a twisted cubic, there are no
-    $\Lambda,M,\sigma$ either: the exception is not one of cylinders and cones alone.
-    Hypotheses: $2\ne0$ in the field. *)
-Theorem FJ21_T3_1_needs_tangents (p : 'rV[{poly F}]_4 := row4 (1 + 'X) 'X ('X ^+ 2) ('X ^+ 3)) : 2%:R != 0 :> F ->
+    $\Lambda,M,\sigma$ either: the exception is not one of cylinders and cones alone. *)
+Theorem FJ21_T3_1_needs_tangents (p : 'rV[{poly F}]_4 := row4 (1 + 'X) 'X ('X ^+ 2) ('X ^+ 3)) :
   [/\ weight p != 0, weight (pderiv p) != 0, rational_developable p (pderiv p) & forall n L M s, ~ frelated n p (pderiv p) L M s].
 Proof.
-move=> n2; have w0 : weight p != 0 by rewrite /weight mxE /= addrC -size_poly_eq0 -polyC1 size_XaddC.
+have w0 : weight p != 0 by rewrite /weight mxE /= addrC -size_poly_eq0 -polyC1 size_XaddC.
 have w1 : weight (pderiv p) = 1 by rewrite /weight !mxE /= derivD derivC derivX add0r.
 have om0 : weight (pderiv p) != 0 by rewrite w1 oner_eq0.
-suff fr : free (pfun p) (pfun (pderiv p)) (pfun (pderiv (pderiv p))) by have [] := FJ21_T3_1_excluded_relation fr w0 om0.
-apply: (free_bent (t := FracField.tofrac 'X)); rewrite /weight !mxE /= ?derivD ?derivC ?derivX ?add0r.
-- by rewrite tofracD tofrac1.
-- by [].
-- by rewrite tofrac1.
-- by rewrite tofrac1.
-- by rewrite derivC tofrac0.
-- by rewrite derivC tofrac0.
-rewrite tofrac_eq0 derivXn derivMn derivX /= -polyC1 -polyCMn polyC_eq0 //.
+have [dev rel _] := FJ21_T3_1_excluded_relation w0 om0; split=> // n L M s /rel[a [b /rowP e]]; have := (e 0, e 1).
+rewrite !mxE /= derivD derivX -?polyC1 !derivC add0r polyC1 -?polyC1 !derivC polyC1 tofracD tofrac1 tofrac0 !mulr1 !mulr0 !addr0 => -[h0 h1].
+by move/eqP: h0; rewrite -h1 -subr_eq0 addrK oner_eq0.
 Qed.
 End Needs.

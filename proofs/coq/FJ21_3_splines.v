@@ -98,7 +98,7 @@ exact: (iffRL e (h k lt_k sp)).
 Qed.
 
 (** FJ21.T3.2 developable: one triple $\Lambda,M,\sigma$ of rational functions on the whole spline makes every piece developable.
-    Hypotheses: the weights do not vanish identically on the piece. *)
+    Hypotheses: the weights do not vanish identically on the piece, so that $c$, $d$ have a meaning. *)
 Theorem FJ21_T3_2_developable n u (c d : nat -> 'rV[F]_4) L M s k (p := pcurve n (drop_ k u) (drop_ k c)) (q := pcurve n (drop_ k u) (drop_ k d)) :
   weight p != 0 -> weight q != 0 -> frelated n p q L M s -> rational_developable p q.
 Proof. exact: FJ21_T3_1_developable. Qed.
@@ -144,7 +144,7 @@ Qed.
 
 (** FJ21.T3.2.pieces example: $n=1$, the knots $0,1,2$, the rows $(1,0,0,0),(1,1,0,2),(2,3,1,0)$ and $(1,0,1,1),\frac1{10}(9,3,8,14),\frac1{20}(-13,-61,-6,82)$:
     $\Lambda,M,\sigma$ are $3,5,2$ on the first piece and $4,-1,1$ on the second, and nothing else.
-    Hypotheses: $70\ne0$ in the field, as in characteristic 0. *)
+    Hypotheses: $70\ne0$ in the field, as in characteristic 0, so that the rows have a meaning, for 10, and for the last claim, for 7. *)
 Theorem FJ21_T3_2_pieces_example (u := fun i => i%:R : F)
     (c := nth (0 : 'rV[F]_4) [:: row4 1 0 0 0; row4 1 1 0 2%:R; row4 2%:R 3%:R 1 0])
     (d := nth (0 : 'rV[F]_4) [:: row4 1 0 1 1; 10%:R^-1 *: row4 9%:R 3%:R 8%:R 14%:R; 20%:R^-1 *: row4 (- 13%:R) (- 61%:R) (- 6%:R) 82%:R])

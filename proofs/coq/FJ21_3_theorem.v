@@ -92,7 +92,7 @@ Proof. by move=> n0; rewrite -tofrac1 -tofracMn tofrac_eq0 -polyC1 -polyCMn poly
 
 (** FJ21.3.5 function: $p[t^{\langle n-1\rangle},x(t)]=p(t)+\frac{x(t)-t}np'(t)$ on every piece, for a rational function $x$: the blossom over the field of
     rational functions.
-    Hypotheses: the knots carry the piece; $n\ne0$ in the field. *)
+    Hypotheses: $n\ne0$ in the field; the knots carry the piece, so that the curve has a meaning. *)
 Theorem FJ21_3_5_function m n (u : nat -> F) (c : nat -> 'rV[F]_m) x : n%:R != 0 :> F -> span n u ->
   ftangent n (pcurve n u c) x
     = pblossom (fun i => ((u i)%:P)%:F) (fun i => map_mx (fun a => (a%:P)%:F) (c i)) (at_ x :: nseq n.-1 (at_ 'X%:F)).
@@ -105,7 +105,7 @@ Qed.
 
 (** FJ21.T3.1 exact: rational $\Lambda,M,\sigma$ with $\sigma\ne0$ and $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$ exist iff $p$ is a combination of
     $p',q,q'$ and $q$ one of $q',p,p'$ with rational coefficients: this is what "generic developable" means.
-    Hypotheses: $n\ne0$ in the field.
+    Hypotheses: $n\ne0$ in the field, so that $p+\frac{\Lambda-t}np'$ has a meaning; the blossom has one for every $n$, but is no such sum.
     Paper: leaves "generic" open. *)
 Theorem FJ21_T3_1_exact m n (p q : 'rV[{poly F}]_m) : n%:R != 0 :> F ->
   (exists L M s, s != 0 /\ frelated n p q L M s) <->
@@ -117,7 +117,7 @@ by exists ('X%:F + x * n%:R), ('X%:F + y * n%:R), s; rewrite ![_ + _ * _]addrC !
 Qed.
 
 (** FJ21.T3.1 developable: $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$ with any rational $\Lambda,M,\sigma$ makes the surface developable.
-    Hypotheses: the weights do not vanish identically. *)
+    Hypotheses: the weights do not vanish identically, so that $c$, $d$ have a meaning. True whatever stands for $\frac1n$ where $n=0$ in the field. *)
 Theorem FJ21_T3_1_developable n (p q : 'rV[{poly F}]_4) L M s : weight p != 0 -> weight q != 0 ->
   frelated n p q L M s -> rational_developable p q.
 Proof.
@@ -129,7 +129,8 @@ by rewrite -[RHS]e scale1r !scaleNr scalerDr scalerA opprD addrA.
 Qed.
 
 (** FJ21.T3.1 generic: the surface is developable iff rational $\Lambda,M,\sigma$ with $\sigma\ne0$ and $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$ exist.
-    Hypotheses: $p',q,q'$ are independent over the rational functions, and $q',p,p'$; $n\ne0$ in the field; the weights do not vanish identically.
+    Hypotheses: $p',q,q'$ are independent over the rational functions, and $q',p,p'$; $n\ne0$ in the field and the weights do not vanish identically, so that
+    $p+\frac{\Lambda-t}np'$ and $c$, $d$ have a meaning.
     Paper: "generic". *)
 Theorem FJ21_T3_1_generic n (p q : 'rV[{poly F}]_4) : n%:R != 0 :> F -> weight p != 0 -> weight q != 0 ->
   free (pfun (pderiv p)) (pfun q) (pfun (pderiv q)) -> free (pfun (pderiv q)) (pfun p) (pfun (pderiv p)) ->
@@ -150,7 +151,7 @@ by apply: (solve_for k0 (_ : k *: Q + l *: Q' + i *: P + j *: P' = 0)); rewrite 
 Qed.
 
 (** FJ21.T3.1 sigma: with $\sigma=0$ the relation says that $c$ is one point.
-    Hypotheses: the weight does not vanish identically. *)
+    Hypotheses: the weight does not vanish identically, so that $c$ has a meaning. True whatever stands for $\frac1n$ where $n=0$ in the field. *)
 Theorem FJ21_T3_1_sigma n (p q : 'rV[{poly F}]_4) L M : weight p != 0 -> frelated n p q L M 0 -> pfderiv (affine p) = 0.
 Proof.
 move=> w0; rewrite /frelated /ftangent scale0r => /eqP; rewrite addr_eq0 -scaleNr => /eqP e.

@@ -34,7 +34,7 @@ Lemma pderivE p k : pderiv p 0 k = (p 0 k)^`().
 Proof. by rewrite mxE. Qed.
 
 (** FJ21.3.5 tangent: $p[t^{\langle n-1\rangle},x]=p(t)+\frac{x-t}np'(t)$ on every piece.
-    Hypotheses: the knots carry the piece; $n\ne0$ in the field. *)
+    Hypotheses: $n\ne0$ in the field; the knots carry the piece, so that the curve has a meaning. *)
 Theorem FJ21_3_5_tangent n (u : nat -> F) (c : nat -> 'rV[F]_m) t x : (n%:R : F) != 0 -> span n u ->
   tangent n (pcurve n u c) t x = pblossom u c (at_ x :: nseq n.-1 (at_ t)).
 Proof.

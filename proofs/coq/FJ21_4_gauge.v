@@ -73,7 +73,8 @@ Lemma pfderivZ m f (P : 'rV[K]_m) : pfderiv (f *: P) = fderiv f *: P + f *: pfde
 Proof. by apply/rowP=> k; rewrite !mxE fderivM. Qed.
 
 (** FJ21.4.3 exists: the surface is developable iff rational functions $\lambda,\mu,\nu$ with $p'=\lambda W+\mu W'+\nu p$, $W=q-p$, exist.
-    Hypotheses: $p$, $W$, $W'$ are independent over the rational functions, for the direction from the surface to the frame; the weights do not vanish identically.
+    Hypotheses: $p$, $W$, $W'$ are independent over the rational functions, for the direction from the surface to the frame; the weights do not vanish identically,
+    so that there are curves $c$ and $d$.
     Paper: excludes cylinders; it must exclude all surfaces where $W'$ depends on $p$ and $W$. *)
 Theorem FJ21_4_3_exists (p q : 'rV[{poly F}]_4) : weight p != 0 -> weight q != 0 ->
   free (pfun p) (pfun q - pfun p) (pfderiv (pfun q - pfun p)) ->
@@ -99,13 +100,17 @@ Theorem FJ21_4_3_functions m (P Q : 'rV[K]_m) f lam mu nu : f != 0 ->
   fframe P Q lam mu nu <-> fframe (f *: P) (f *: Q) (lam - mu * fderiv f / f) mu (nu + fderiv f / f).
 Proof. by move=> f0; rewrite /fframe !pfderivB !pfderivZ; exact: gauge_rule. Qed.
 
-(** FJ21.4.3 cancel: a rational factor $f\ne0$ removes the term $\nu$ iff $f'=-\nu f$.
+(** FJ21.4.3 cancel: a rational factor $f$ removes the term $\nu$ iff $f'=-\nu f$.
     Hypotheses: $p$, $W$, $W'$ are independent over the rational functions.
     Paper: $f=e^{-\int\nu}$, which need not be rational. *)
-Theorem FJ21_4_3_cancel m (P Q : 'rV[K]_m) f lam mu nu : f != 0 -> free P (Q - P) (pfderiv (Q - P)) -> fframe P Q lam mu nu ->
+Theorem FJ21_4_3_cancel m (P Q : 'rV[K]_m) f lam mu nu : free P (Q - P) (pfderiv (Q - P)) -> fframe P Q lam mu nu ->
   (exists lam' mu', fframe (f *: P) (f *: Q) lam' mu' 0) <-> fderiv f = - (nu * f).
 Proof.
-move=> f0 fr e; split=> [[lam' [mu' e']]|ef]; last first.
+move=> fr e; have f1 : fderiv (0 : K) = 0 by rewrite -tofrac0 fderiv_poly linear0 tofrac0.
+have [->|f0] := eqVneq f 0.
+  split=> [_|_]; first by rewrite mulr0 oppr0 f1.
+  by exists 0, 0; rewrite /fframe pfderivZ f1 !scale0r !addr0.
+split=> [[lam' [mu' e']]|ef]; last first.
   exists (lam - mu * fderiv f / f), mu; have := (FJ21_4_3_functions P Q lam mu nu f0).1 e.
   by rewrite {2}ef mulNr mulfK // subrr.
 have := (FJ21_4_3_functions P Q (lam' + mu' * fderiv f / f) mu' (- (fderiv f / f)) f0).2; rewrite addrK addNr => /(_ e') e2.
@@ -114,7 +119,7 @@ by rewrite subr_eq0 => /eqP ->; rewrite mulNr opprK divfK.
 Qed.
 
 (** FJ21.4.3 constants: for constant $\Lambda,M,\sigma$, where $\nu=n(\sigma-1)/E$ with $E=\Lambda-\sigma M+t(\sigma-1)$, the factor $f=E^{-n}$ is rational and has $f'=-\nu f$.
-    Hypotheses: $E$ is not the zero polynomial. *)
+    Hypotheses: $E$ is not the zero polynomial, so that $\nu$ and $f$ have a meaning. *)
 Theorem FJ21_4_3_constants n (L M s : F) (E : {poly F} := (L - s * M)%:P + (s - 1) *: 'X) (f := (E%:F ^+ n)^-1) : E != 0 ->
   fderiv f = - (n%:R * ((s - 1)%:P)%:F / E%:F * f).
 Proof.
@@ -161,7 +166,7 @@ split=> // f lam mu f0 e'; have fr : free P (Q - P) (pfderiv (Q - P)).
     - by rewrite derivC tofrac0.
     by rewrite tofrac_eq0 derivXn derivMn derivX /= -polyC1 -polyCMn polyC_eq0.
   by rewrite pfderivB (_ : pfderiv P = Q) ?pfderiv_fun //; apply: free_tangents; rewrite -pfderiv_fun.
-have /no_exponential/eqP : fderiv f = - f by rewrite -[in RHS](mul1r f); apply/(FJ21_4_3_cancel f0 fr e); exists lam, mu.
+have /no_exponential/eqP : fderiv f = - f by rewrite -[in RHS](mul1r f); apply/(FJ21_4_3_cancel f fr e); exists lam, mu.
 by rewrite (negPf f0).
 Qed.
 

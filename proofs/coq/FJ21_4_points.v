@@ -52,7 +52,7 @@ Qed.
 (** FJ21.3.1 algorithm: $w_i^r=(1-t)w_i^{r-1}+tw_{i+1}^{r-1}$ and
     $c_i^r=(1-t)\frac{w_i^{r-1}}{w_i^r}c_i^{r-1}+t\frac{w_{i+1}^{r-1}}{w_i^r}c_{i+1}^{r-1}$ end in the weight and the point of the rational curve:
     $w_0^n=w(t)$ and $w_0^nc_0^n=p(t)$.
-    Hypotheses: no weight $w_i^r$, $r=1..n$, vanishes.
+    Hypotheses: no weight $w_i^r$, $r=1..n$, vanishes, so that all points $c_i^r$ have a meaning.
     Paper: states none; positive weights and $0\le t\le1$ suffice. *)
 Theorem FJ21_3_1_algorithm t w c n : (forall r i, (0 < r)%N -> (i + r <= n)%N -> level t w r i != 0) ->
   level t w n 0 = blossom (bez F n) w (nseq n (at_ t)) /\
@@ -65,7 +65,7 @@ Qed.
 
 (** FJ21.3.1 needs_weights: an intermediate weight may vanish where the curve has a point: for the weights $1,-1,2$ and $t=1/2$,
     $w_0^1=0$, so that there is no $c_0^1$, but $w_0^2=w(1/2)=1/4$.
-    Hypotheses: $2\ne0$ in the field. *)
+    Hypotheses: $2\ne0$ in the field, so that $t$ has a meaning. *)
 Theorem FJ21_3_1_needs_weights (w := fun i => nth 0 [:: 1; -1; 2%:R] i : F) (t := 2%:R^-1 : F) : 2%:R != 0 :> F ->
   level t w 1 0 = 0 /\ level t w 2 0 = 4%:R^-1.
 Proof.

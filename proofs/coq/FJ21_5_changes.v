@@ -132,7 +132,7 @@ Qed.
 
 (** FJ21.K relation: on every piece of the knots with $x$ inserted, $\hat p[t_1,\dots,t_{n-1},\Lambda]=\sigma\hat q[t_1,\dots,t_{n-1},M]$ iff
     $p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]$ on the piece of the old knots that holds it: $\Lambda,M,\sigma$ do not change.
-    Hypotheses: both pieces carry their knots; $x$ is inserted neither before the first piece nor in its first knots: $n\le p$. *)
+    Hypotheses: $x$ is inserted neither before the first piece nor in its first knots: $n\le p$; both pieces carry their knots, so that the curves have a meaning. *)
 Theorem FJ21_K_relation n p x u c d j v L M s (u' := insert_knot p x u) (k := if (j + n <= p)%N then j else j.-1) :
   (n <= p)%N -> span n (drop_ k u) -> span n (drop_ j u') -> (size v).+1 = n ->
   pblossom (drop_ j u') (drop_ j (insert_points n p x u c)) (at_ L :: v)

@@ -27,7 +27,7 @@ Qed.
 
 (** FJ21.6.1 degree: for constant $\Lambda\ne M$ and $\sigma=1$ the edge $r=(1-v)p+vq$, $v=\frac{t-M}{\Lambda-M}$, is a curve of degree $n+1$:
     $(\Lambda-M)r=(\Lambda-t)p+(t-M)q$.
-    Hypotheses: $\Lambda\ne M$; $p$, $q$ have degree $n$. *)
+    Hypotheses: $\Lambda\ne M$; $p$, $q$ have degree at most $n$. *)
 Theorem FJ21_6_1_degree n p q r L M k : L != M -> (L - M)%:P *: r = (L%:P - 'X) *: p + ('X - M%:P) *: q ->
   (size (p 0%R k) <= n.+1)%N -> (size (q 0%R k) <= n.+1)%N -> (size (r 0%R k) <= n.+2)%N.
 Proof.

@@ -51,7 +51,7 @@ by move: ak; rewrite rowB coefB addrC => ak; rewrite mulf_neq0 ?invr_eq0.
 Qed.
 
 (** FJ21.T6.1 full: for a curve $r$ of degree $n+1$ the rows $r+\frac{x-t}{n+1}r'$ have the degree $n$ for all $x$ but at most one.
-    Hypotheses: $n+1\ne0$ in the field.
+    Hypotheses: $x\ne y$; $n+1\ne0$ in the field.
     Paper: takes the degree $n$ for granted. *)
 Theorem FJ21_T6_1_full n r x y : n.+1%:R != 0 :> F -> degree_is n.+1 r -> x != y ->
   degree_is n (patch n r x) \/ degree_is n (patch n r y).
@@ -66,7 +66,7 @@ Qed.
 
 (** FJ21.6.1 sigma: for constant $\Lambda,M,\sigma$ the edge has the equation $Er=(\Lambda-t)p+\sigma(t-M)q$, of degree at most $n+1$, with the coefficient
     $\sigma q_n-p_n$ of $t^{n+1}$; $E=\Lambda-t+\sigma(t-M)$ is constant for $\sigma=1$ only.
-    Hypotheses: $p$, $q$ have degree at most $n$; $E$ is not the zero polynomial.
+    Hypotheses: $E\ne0$ at $t$, for the equation, so that $v(t)$ has a meaning; $p$, $q$ have degree at most $n$, for the rest.
     Paper: "$v(t)$ is of degree one", which is so for $\sigma=1$; for other $\sigma$ it is a quotient, and the degree $n+1$ that of the homogeneous curve $Er$. *)
 Theorem FJ21_6_1_sigma n p q L M s (v := fun t => s * (t - M) / (L - t + s * (t - M))) (r := (L%:P - 'X) *: p + (s *: ('X - M%:P)) *: q) :
   degree_le n p -> degree_le n q ->
@@ -86,7 +86,7 @@ End Degrees.
 
 Section Places.
 Variables (F : fieldType) (m : nat).
-Implicit Types (p q r : 'rV[{poly F}]_m) (A B : 'rV[F]_m) (L M x : F) (n : nat).
+Implicit Types (p q r : 'rV[{poly F}]_m) (A B : 'rV[F]_m) (L M x : F) (n N : nat).
 
 Definition inside l (N : 'M[F]_(m, l)) p := p *m map_mx polyC N = 0.
 Definition on_rulings A p q := exists x y z : {poly F}, z != 0 /\ z *: map_mx polyC A = x *: p + y *: q.
@@ -99,7 +99,7 @@ Qed.
 
 (** FJ21.T6.1 subspace: both boundary curves lie in a subspace iff $r$ does: the surface is a point, a line or a plane iff its edge $r$ is one point, on one
     line or in one plane.
-    Hypotheses: $\Lambda\ne M$; $n+1\ne0$ in the field.
+    Hypotheses: $\Lambda\ne M$; $n+1\ne0$ in the field, so that $\frac1{n+1}$ has a meaning.
     Paper: passes over it; where $r$ is a plane curve its tangents cover its plane. *)
 Theorem FJ21_T6_1_subspace n r L M l (N : 'M[F]_(m, l)) : n.+1%:R != 0 :> F -> L != M ->
   inside N (patch n r M) /\ inside N (patch n r L) <-> inside N r.
@@ -123,11 +123,12 @@ Qed.
 
 (** FJ21.T6.1 no_cone: if all rulings pass through one point $A$, then $r(t)=f(t)A+g(t)B$: the edge, hence the surface, lies on one line. So no cone and no
     cylinder other than such a line is the tangent surface of an $r$.
-    Hypotheses: $r$ has degree at most $n+1$; $(n+1)!\ne0$ in the field, as in characteristic 0. *)
-Theorem FJ21_T6_1_no_cone n r L M A : good F n.+1 -> degree_le n.+1 r -> A != 0 ->
+    Hypotheses: $A\ne0$; $r$ has a degree of at most $N$ with $N!\ne0$ in the field, as all have in characteristic 0; $n+1\ne0$ in the field, so that $\frac1{n+1}$ has a
+    meaning. *)
+Theorem FJ21_T6_1_no_cone n N r L M A : n.+1%:R != 0 :> F -> good F N -> degree_le N r -> A != 0 ->
   on_rulings A (patch n r M) (patch n r L) -> exists f g B, r = f *: map_mx polyC A + g *: map_mx polyC B.
 Proof.
-move=> gd sr a0 [x [y [z [z0 e]]]].
+move=> _ gd sr a0 [x [y [z [z0 e]]]].
 have [k k0] : exists k, A 0 k != 0.
   by case: (pickP (fun k => A 0 k != 0)) => [k k0|h]; [exists k | case/eqP: a0; apply/rowP=> k; have := h k; rewrite mxE => /negbFE/eqP].
 pose X : {poly F} := x + y; pose Y : {poly F} := n.+1%:R^-1 *: (x * (M%:P - 'X) + y * (L%:P - 'X)).
@@ -146,7 +147,7 @@ have [l l0|s0] := pickP (fun l => s l != 0); last first.
 have Y0 : Y != 0.
   apply: contraNneq l0 => Y0; have := es l; rewrite Y0 mul0r addr0 => /eqP; rewrite mulf_eq0 => /orP[/eqP X0|//].
   by have /eqP := eXY k; rewrite X0 Y0 !mul0r addr0 mulf_eq0 (negPf z0) (negPf k1).
-have ss j : (size (s j) <= n.+2)%N.
+have ss j : (size (s j) <= N.+1)%N.
   rewrite /s !mul_polyC (leq_trans (size_add _ _)) // geq_max size_opp.
   by rewrite !(leq_trans (size_scale_leq _ _)) ?sr.
 have prop j : exists b : F, s j == b *: s l.
@@ -159,26 +160,27 @@ move: eb ek; move: ((A 0 k)^-1%:P) (A 0 k)%:P (A 0 j)%:P (r 0 j) (r 0 k) (s l) b
 by rewrite -[LHS]mul1r -ek -mulrA (_ : x' * a' = d' * c' + y' * b'); [ring | rewrite -eb subrK].
 Qed.
 
-(** FJ21.T6.1 no_cone_needs_factorial: where $n=0$ in the field the tangents of $r=(t,t^n,1)$, of degree at most $n+1$, are all parallel to $A=(1,0,0)$, and $r$
-    is no line: a cylinder.
-    Hypotheses: $\Lambda\ne M$. *)
-Theorem FJ21_T6_1_no_cone_needs_factorial n L M (r : 'rV[{poly F}]_3 := vec 'X 'X^n 1) (A : 'rV[F]_3 := vec 1 0 0) :
-  (0 < n)%N -> n%:R = 0 :> F -> L != M ->
+(** FJ21.T6.1 no_cone_needs_factorial: where $N=0$ in the field, $N>0$, the tangents of $r=(t,t^N,1)$ are all parallel to $A=(1,0,0)$, and $r$ is no line: a cylinder.
+    Hypotheses: $\Lambda\ne M$; $n+1\ne0$ in the field. *)
+Theorem FJ21_T6_1_no_cone_needs_factorial n N L M (r : 'rV[{poly F}]_3 := vec 'X 'X^N 1) (A : 'rV[F]_3 := vec 1 0 0) :
+  (0 < N)%N -> N%:R = 0 :> F -> n.+1%:R != 0 :> F -> L != M ->
   (exists x y z : {poly F}, z != 0 /\ z *: map_mx polyC A = x *: patch n r M + y *: patch n r L) /\
   forall f g (B : 'rV[F]_3), r <> f *: map_mx polyC A + g *: map_mx polyC B.
 Proof.
-move=> n0 nF d; have d0 : L - M != 0 by rewrite subr_eq0.
+move=> n0 nF n1 d; have d0 : L - M != 0 by rewrite subr_eq0.
 have dr : pderiv r = map_mx polyC A.
   by apply: row3P; rewrite /x_ /y_ /z_ !mxE /= ?derivX ?derivC // derivXn -mulr_natr -polyC_nat nF polyC0 mulr0.
 split=> [|f g B /rowP e].
-  exists (- ((L - M)^-1)%:P), ((L - M)^-1)%:P, 1; split; first exact: oner_neq0.
-  have eD : ((L - M)^-1)%:P * (L%:P - M%:P) = 1 :> {poly F} by rewrite -polyCB -polyCM mulVf.
-  rewrite /patch dr natrS nF add0r invr1 !scale1r; move: (map_mx polyC A) => a; rewrite -{1}[a]scale1r -eD.
-  by apply/rowP=> k; rewrite !mxE; move: ((L - M)^-1)%:P L%:P M%:P (r 0 k) (a 0 k) 'X => d' l u x y X; ring.
+  exists (- (n.+1%:R / (L - M))%:P), (n.+1%:R / (L - M))%:P, 1; split; first exact: oner_neq0.
+  have eD : (n.+1%:R / (L - M))%:P * (n.+1%:R^-1%:P * (L%:P - M%:P)) = 1 :> {poly F}.
+    by rewrite -polyCB -!polyCM mulrACA mulfV // mulVf // mulr1.
+  rewrite /patch dr; move: (map_mx polyC A) => a.
+  transitivity (((n.+1%:R / (L - M))%:P * (n.+1%:R^-1%:P * (L%:P - M%:P))) *: a); first by rewrite eD.
+  by apply/rowP=> k; rewrite !mxE -!mul_polyC; move: (_ / _)%:P (n.+1%:R^-1)%:P L%:P M%:P (r 0 k) (a 0 k) 'X => d' b l u x y X; ring.
 have := (e (@Ordinal 3 1 isT), e (@Ordinal 3 2 isT)); rewrite !mxE /= !mulr0 !add0r => -[e1 e2].
 set x := B 0 _ in e1; set y := B 0 _ in e2.
-have : 'X^n * y%:P = x%:P by rewrite e1 mulrAC -e2 mul1r.
-move/(congr1 (fun h : {poly F} => h`_n)); rewrite coefMC coefXn eqxx mul1r coefC; case: n n0 {nF dr r e1 e} => // n _ /= y0.
+have : 'X^N * y%:P = x%:P by rewrite e1 mulrAC -e2 mul1r.
+move/(congr1 (fun h : {poly F} => h`_N)); rewrite coefMC coefXn eqxx mul1r coefC; case: N n0 {nF dr r e1 e} => // N _ /= y0.
 by move/eqP: e2; rewrite y0 mulr0 oner_eq0.
 Qed.
 End Places.
@@ -189,21 +191,20 @@ Implicit Types (r : 'rV[{poly F}]_m) (f : {poly F}) (L M a b t : F) (n : nat).
 
 (** FJ21.6 tangents: the tangent surface between $p=r$ and $q=r+fr'$ has $\Lambda(t)=t+nf(t)$, $M(t)=t$, $\sigma=1$, and where $f(t)\ne0$ the frame $\lambda=\frac1f$,
     $\mu=\nu=0$.
-    Hypotheses: $n\ne0$ in the field. *)
-Theorem FJ21_6_tangents n r f t (q := r + f *: pderiv r) : n%:R != 0 :> F ->
-  related_at n r q t (t + n%:R * f.[t]) t 1 /\ (f.[t] != 0 -> frame r q t f.[t]^-1 0 0).
+    Hypotheses: $n\ne0$ in the field, for the first; $f(t)\ne0$, for the frame. *)
+Theorem FJ21_6_tangents n r f t (q := r + f *: pderiv r) :
+  (n%:R != 0 :> F -> related_at n r q t (t + n%:R * f.[t]) t 1) /\ (f.[t] != 0 -> frame r q t f.[t]^-1 0 0).
 Proof.
-move=> n0; split=> [|f0]; apply/rowP=> k; rewrite !mxE.
+split=> [n0|f0]; apply/rowP=> k; rewrite !mxE.
   by rewrite hornerD hornerM; move: (r 0 k).[t] (r 0 k)^`().[t] f.[t] (_^`().[t]) => x y z w; field.
 by rewrite !hornerD hornerN hornerM; move: (r 0 k).[t] (r 0 k)^`().[t] f.[t] f0 (_^`().[t]) => x y z z0 w; field.
 Qed.
 
 (** FJ21.6 lower: for $r$ of degree at most $n$ the curve $r+(at+b)r'$ has a degree of at most $n$, with the leading coefficient $(1+na)r_n$: for $r_n\ne0$ its degree is
-    less than $n$ iff $a=-\frac1n$, whatever $b$.
-    Hypotheses: $n\ne0$ in the field, for the last. *)
+    less than $n$ iff $1+na=0$, which is the paper's $a=-\frac1n$, whatever $b$. *)
 Theorem FJ21_6_lower n r a b k (q := r + (a%:P * 'X + b%:P) *: pderiv r) : (size (r 0%R k) <= n.+1)%N ->
   [/\ (size (q 0%R k) <= n.+1)%N, (q 0 k)`_n = (1 + n%:R * a) * (r 0 k)`_n &
-      n%:R != 0 :> F -> (r 0 k)`_n != 0 -> (size (q 0%R k) <= n)%N = (a == - n%:R^-1)].
+      (r 0 k)`_n != 0 -> (size (q 0%R k) <= n)%N = (1 + n%:R * a == 0)].
 Proof.
 rewrite /q !mxE; move: (r 0 k) => g sg.
 have co i : (g + (a%:P * 'X + b%:P) * g^`())`_i = (1 + i%:R * a) * g`_i + b * (i.+1%:R * g`_i.+1).
@@ -214,11 +215,10 @@ have co i : (g + (a%:P * 'X + b%:P) * g^`())`_i = (1 + i%:R * a) * g`_i + b * (i
 have top : (g + (a%:P * 'X + b%:P) * g^`())`_n = (1 + n%:R * a) * g`_n by rewrite co [g`_n.+1]nth_default // !mulr0 addr0.
 have sz : (size (g + (a%:P * 'X + b%:P) * g^`())%R <= n.+1)%N.
   by apply/leq_sizeP=> j le_j; rewrite co !nth_default ?mulr0 ?addr0 // (leq_trans sg) // leqW.
-split=> // n0 g0; apply/idP/idP => [le_n|/eqP ea].
-  have := top; rewrite (leq_sizeP _ _ le_n n (leqnn n)) => /esym/eqP; rewrite mulf_eq0 (negPf g0) orbF addrC addr_eq0 => /eqP e.
-  by apply/eqP; apply: (mulfI n0); rewrite e mulrN mulfV.
+split=> // g0; apply/idP/idP => [le_n|/eqP ea].
+  by have := top; rewrite (leq_sizeP _ _ le_n n (leqnn n)) => /esym/eqP; rewrite mulf_eq0 (negPf g0) orbF.
 apply/leq_sizeP=> j; rewrite leq_eqVlt => /orP[/eqP <-|lt_j]; last by rewrite nth_default // (leq_trans sz).
-by rewrite top ea mulrN mulfV // subrr mul0r.
+by rewrite top ea mul0r.
 Qed.
 
 (** FJ21.T6.1 frame: $p=r+\frac{M-t}{n+1}r'$ and $q=r+\frac{\Lambda-t}{n+1}r'$ have $p'=\lambda W+\mu W'+\nu p$ with $\lambda=\frac n{\Lambda-M}$, $\mu=\frac{M-t}{\Lambda-M}$,

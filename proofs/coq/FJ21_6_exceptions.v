@@ -43,7 +43,7 @@ Qed.
 
 (** FJ21.C6.1 tangent: the edge $r=(1-v)p+vq$, $v=\frac{\sigma(t-M)}{\Lambda-t+\sigma(t-M)}$, of rational functions $\Lambda,M,\sigma$ has
     $r'=(\alpha+v')(q-p)+\beta r$ with the $\alpha$, $\beta$ of section 6.
-    Hypotheses: $E=\Lambda-t+\sigma(t-M)\ne0$; $n\ne0$ in the field.
+    Hypotheses: $E=\Lambda-t+\sigma(t-M)\ne0$; $n\ne0$ in the field. Where $E=0$ the edge is $q-p$ ("infinite" below).
     Paper: states neither. *)
 Theorem FJ21_C6_1_tangent m n (p q : 'rV[{poly F}]_m) L M s (E := L - 'X%:F + s * ('X%:F - M)) (v := s * ('X%:F - M) / E)
     (r := (1 - v) *: pfun p + v *: pfun q) : n%:R != 0 :> F -> E != 0 -> frelated n p q L M s ->
@@ -54,7 +54,7 @@ by rewrite scalerDl addrAC.
 Qed.
 
 (** FJ21.C6.1 ruling: in space the tangent of the edge $e=r/\rho$ is the ruling: $e'=(\alpha+v')\frac{w\omega}{\rho^2}(d-c)$.
-    Hypotheses: $E\ne0$; $n\ne0$ in the field; the weights $w,\omega$ of $p,q$ and $\rho$ of $r$ do not vanish identically.
+    Hypotheses: $E\ne0$; $n\ne0$ in the field; the weights $w,\omega$ of $p,q$ and $\rho$ of $r$ do not vanish identically, so that $c$, $d$, $e$ have a meaning.
     Paper: "has a rational edge": where $\alpha+v'=0$ it is one point, and the surface a cone or a cylinder. *)
 Theorem FJ21_C6_1_ruling n (p q : 'rV[{poly F}]_4) L M s (E := L - 'X%:F + s * ('X%:F - M)) (v := s * ('X%:F - M) / E)
     (r := (1 - v) *: pfun p + v *: pfun q) : n%:R != 0 :> F -> E != 0 -> weight p != 0 -> weight q != 0 -> weight r != 0 ->
@@ -101,7 +101,7 @@ Qed.
 
 (** FJ21.T6.1.cone equivalence: for $\Lambda=M$ and $\sigma=1$ the relation holds iff $q=p+(t-M)^nA$ for one $A$: all rulings pass through the point $A$, a cone,
     or a cylinder where $A$ has weight 0.
-    Hypotheses: $q-p$ has degree at most $n$; $n!\ne0$ in the field, as in characteristic 0.
+    Hypotheses: $q-p$ has degree at most $n$, $n>0$; $n!\ne0$ in the field, as in characteristic 0.
     Paper: does not exclude $\Lambda=M$, where there is no edge. *)
 Theorem FJ21_T6_1_cone_equivalence n p q M : n`!%:R != 0 :> F -> (0 < n)%N -> (forall k, (size (q 0%R k - p 0%R k)%R <= n.+1)%N) ->
   related_rows n p q M M <-> exists A : 'rV[F]_m, q = p + ('X - M%:P) ^+ n *: map_mx polyC A.

@@ -136,7 +136,7 @@ exists (edge p q L M); split; apply/rowP=> k; have := e k; rewrite !mxE => /(edg
 Qed.
 
 (** FJ21.T6.1 edge: then $r=\frac{(\Lambda-t)p+(t-M)q}{\Lambda-M}$, and $q-p=\frac{\Lambda-M}{n+1}r'$: the rulings are the tangents of $r$.
-    Hypotheses: $\Lambda\ne M$; $n+1\ne0$ in the field. *)
+    Hypotheses: $\Lambda\ne M$; $n+1\ne0$ in the field, so that $\frac1{n+1}$ has a meaning: whatever stands for it, $r$ is as said. *)
 Theorem FJ21_T6_1_edge n r L M : n.+1%:R != 0 :> F -> L != M ->
   r = edge (patch n r M) (patch n r L) L M /\ patch n r L - patch n r M = ((L - M) / n.+1%:R)%:P *: pderiv r.
 Proof.
@@ -149,7 +149,7 @@ Qed.
 
 (** FJ21.T6.1 degree: if $r=at^{n+1}+bt^n+\dots$ then $r+\frac{x-t}{n+1}r'$ has degree at most $n$, with the leading coefficient $\frac b{n+1}+xa$:
     $p$ has degree $n$ iff $b+(n+1)Ma\ne0$, $q$ iff $b+(n+1)\Lambda a\ne0$, and $q-p$ iff $a\ne0$.
-    Hypotheses: $n+1\ne0$ in the field.
+    Hypotheses: $r$ has degree at most $n+1$; $n+1\ne0$ in the field.
     Paper: takes the degrees for granted. *)
 Theorem FJ21_T6_1_degree n r x k : n.+1%:R != 0 :> F -> (size (r 0%R k) <= n.+2)%N ->
   (size (patch n r x 0%R k) <= n.+1)%N /\ (patch n r x 0 k)`_n = (r 0 k)`_n / n.+1%:R + x * (r 0 k)`_n.+1.

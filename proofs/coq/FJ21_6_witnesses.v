@@ -30,7 +30,7 @@ Let slopes : [/\ (1 : {poly F})^`() = 0, ('X^2)^`() = 2%:R * 'X :> {poly F} & ('
 Proof. by rewrite !derivXn expr1 !mulr_natl derivC. Qed.
 
 (** FJ21.T6.1.witnesses relation: each of these $p$, $q$ obeys $p[t,\Lambda]=q[t,M]$ with $\Lambda=3$, $M=2$, $\sigma=1$.
-    Hypotheses: $2$ and $3$ are not 0 in the field. *)
+    Hypotheses: $2$ and $3$ are not 0 in the field, so that $\frac1n$ and $\frac1{n+1}$ have a meaning. *)
 Theorem FJ21_T6_1_witnesses_relation r t : 2%:R != 0 :> F -> 3%:R != 0 :> F ->
   related_at 2 (side 2%:R r) (side 3%:R r) t 3%:R 2%:R 1.
 Proof.
@@ -39,7 +39,7 @@ by rewrite -subr_eq0 (_ : 3%:R - 2%:R = 1) ?oner_neq0 //; ring.
 Qed.
 
 (** FJ21.T6.1.witnesses point: (a) for $r=(t+1)^3A$, one point, $p=3(t+1)^2A$ and $q=4(t+1)^2A$ are that point.
-    Hypotheses: $3\ne0$ in the field. *)
+    Hypotheses: $3\ne0$ in the field, so that $\frac13$ has a meaning. *)
 Theorem FJ21_T6_1_witnesses_point (A : 'rV[F]_4) (r := ('X + 1) ^+ 3 *: map_mx polyC A) : 3%:R != 0 :> F ->
   side 2%:R r = (3%:R * ('X + 1) ^+ 2) *: map_mx polyC A /\ side 3%:R r = (4%:R * ('X + 1) ^+ 2) *: map_mx polyC A.
 Proof.
@@ -62,7 +62,7 @@ Theorem FJ21_T6_1_witnesses_plane x (r := row4 1 'X ('X^2 + 'X^3) 0 : 'rV[{poly 
 Proof. by rewrite sideE !mxE /= linear0 mulr0 addr0. Qed.
 
 (** FJ21.T6.1.witnesses infinity: (d) where the weight of $r$ is $(t-2)^3$ the weight of $p$ vanishes identically: $p$ lies at infinity.
-    Hypotheses: $3\ne0$ in the field. *)
+    Hypotheses: $3\ne0$ in the field, so that $\frac13$ has a meaning. *)
 Theorem FJ21_T6_1_witnesses_infinity (r := row4 (('X - 2%:R) ^+ 3) 'X ('X^2) ('X^3) : 'rV[{poly F}]_4) : 3%:R != 0 :> F ->
   weight (side 2%:R r) = 0.
 Proof.
@@ -80,7 +80,7 @@ have [s1 s2 s3] := slopes; apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite [LHS]mxE
 Qed.
 
 (** FJ21.T6.1.witnesses first: (f) for $r=t^3a+t^2b+\dots$ with $b=-6a=-(n+1)Ma$ the curve $p$ has degree 1 and not 2.
-    Hypotheses: $3\ne0$ in the field. *)
+    Hypotheses: $3\ne0$ in the field, so that $\frac13$ has a meaning. *)
 Theorem FJ21_T6_1_witnesses_first (r := row4 1 'X (1 + 'X - 6%:R * 'X^2 + 'X^3) (2%:R * 'X^3 - 12%:R * 'X^2) : 'rV[{poly F}]_4) : 3%:R != 0 :> F ->
   side 2%:R r = a3 *: row4 3%:R (2%:R + 2%:R * 'X) (5%:R - 22%:R * 'X) (- (48%:R * 'X)).
 Proof.

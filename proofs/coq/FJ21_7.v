@@ -15,7 +15,7 @@ Lemma step_direction u m c i : step u m (direction F) c i = (c i.+1 - c i) / (u 
 Proof. by rewrite /step /= !mul0r sub0r subr0 mul1r mulN1r addrC. Qed.
 
 (** FJ21.7.1 polarisation: curves that agree at $t,\dots,t$ have the same control points, hence the same blossom.
-    Hypotheses: the knots carry the piece; $n!\ne0$ in the field.
+    Hypotheses: $n!\ne0$ in the field; the knots carry the piece, so that the curves have a meaning.
     Paper: does not say that the characteristic matters. *)
 Theorem FJ21_7_1_polarisation n u c d : n`!%:R != 0 :> F -> span n u -> curve n u c = curve n u d ->
   forall i, (i <= n)%N -> c i = d i.

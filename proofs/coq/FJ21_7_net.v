@@ -19,7 +19,7 @@ Qed.
 
 (** FJ21.7.1 cells: $p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]$ for all $t_i$ iff
     $(u_{j+n}-\Lambda)p_j+(\Lambda-u_j)p_{j+1}=\sigma\bigl((u_{j+n}-M)q_j+(M-u_j)q_{j+1}\bigr)$ for $j=0..n-1$.
-    Hypotheses: the knots carry the piece. $\sigma$ may be 0 and $M$ a knot. *)
+    Hypotheses: the knots carry the piece, so that the blossoms have a meaning. $\sigma$ may be 0 and $M$ a knot. *)
 Theorem FJ21_7_1_cells u n L M s c d : span n u ->
   (forall v, (size v).+1 = n -> pblossom u c (at_ L :: v) = s *: pblossom u d (at_ M :: v)) <->
   forall j, (j < n)%N -> (u (j + n)%N - L) *: c j + (L - u j) *: c j.+1 = s *: ((u (j + n)%N - M) *: d j + (M - u j) *: d j.+1).
@@ -42,7 +42,7 @@ Qed.
 
 (** FJ21.7.1 diagonal: $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$ as polynomials in $t$ implies $p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]$ for all
     $t_i$, and conversely.
-    Hypotheses: the knots carry the piece; $(n-1)!\ne0$ in the field.
+    Hypotheses: $(n-1)!\ne0$ in the field; $n>0$ and the knots carry the piece, so that there is an argument for $\Lambda$ and the blossoms have a meaning.
     Paper: does not say that the characteristic matters. *)
 Theorem FJ21_7_1_diagonal u n L M s c d : (n.-1)`!%:R != 0 :> F -> (0 < n)%N -> span n u ->
   last_point n u c L = s%:P *: last_point n u d M <->

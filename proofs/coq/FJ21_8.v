@@ -1,4 +1,5 @@
 (* FJ21, section 8: the worked example, over any number field (numFieldType), such as the rationals.
+   The field has characteristic 0 so that all printed fractions have a meaning.
    Definitions:
      weighted w x y z   the homogeneous row of the point (x, y, z) with the weight w
      example_p, example_q   the rows of c(t) and d(t) *)
@@ -53,7 +54,8 @@ Proof. by rewrite /L /M; split; field; rewrite ?pnatr_eq0. Qed.
 
 (** FJ21.E8 trimmed: for $g=1-\frac34t$: $\tilde\Lambda=\frac{9t^2-3t-32}{9(1-2t)}$ and $\tilde M=\frac{7t-16}{3(1-2t)}$ give $\Lambda=-\frac43$, $M=-2$ by (5.4) with $f=1$,
     $\tilde\sigma=1$.
-    Hypotheses: a number field; $t\ne\frac12$, where $\tilde\Lambda$ and $\tilde M$ are infinite, and $t\ne\frac43$, where the ruling has no length. *)
+    Hypotheses: a number field; $t\ne\frac12$, so that $\tilde\Lambda$ and $\tilde M$ have a meaning, and $t\ne\frac43$, where the ruling has no length, so that the quotients
+    of (5.4) have one, $G=H=0$ there. *)
 Theorem FJ21_E8_trimmed t (g := fun x : F => 1 - 3%:R / 4%:R * x) (M := (7%:R * t - 16%:R) / (3%:R * (1 - 2%:R * t)))
     (L := (9%:R * t ^+ 2 - 3%:R * t - 32%:R) / (9%:R * (1 - 2%:R * t))) (G := 3%:R * g t + g M) : 1 - 2%:R * t != 0 -> 3%:R * t - 4%:R != 0 ->
   (1 * t + 3%:R * 1 * L + 1 * (3%:R * M * (g t - 1) + t * (g M - 1))) / (1 + 3%:R * 1 + 1 * (g M - 1 + 3%:R * (g t - 1))) = - (4%:R / 3%:R) /\

@@ -1,4 +1,5 @@
 (* FJ21, section 8: what determines the net of the worked example, and its control points after each of the changes.
+   The field has characteristic 0 so that all printed fractions have a meaning.
    Definitions:
      elevated_p, elevated_q     the printed rows of degree 4
      inserted c                 Boehm's points for the knot 2/3 in 0, 0, 0, 1, 1, 1;  inserted_knots those knots with it *)

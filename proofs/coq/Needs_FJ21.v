@@ -1,8 +1,9 @@
-(* FJ21, sections 4 and 5: what happens without the hypotheses of the theorems on the values at one parameter, here t = 0 unless it is said.
-   Where n = 0 in the field, as for n = p in characteristic p, p + (x-t)/n p' has no meaning, and such an example takes x / 0 = 0.
+(* FJ21, section 4: what happens without the hypotheses of the theorems on the values at one parameter, here t = 0 unless it is said.
+   Where n = 0 in the field, as for n = p in characteristic p, p + (x-t)/n p' has no meaning; the examples show that no number in the place of 1/n serves.
    Definitions:
      jet A B          the row A + B X of polynomials: its value at 0 is A, its derivative B
-     e1, e2, e3       the points (1,0,0), (0,1,0), (0,0,1) *)
+     e1, e2, e3       the points (1,0,0), (0,1,0), (0,0,1)
+     related_with k p q t L M s   related_at with a number k in the place of 1/n *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves Points FJ21_4 FJ21_5.
 Set Implicit Arguments.
@@ -19,6 +20,8 @@ Definition jet A B : 'rV[{poly F}]_3 := map_mx polyC A + 'X *: map_mx polyC B.
 Definition e1 : 'rV[F]_3 := vec 1 0 0.
 Definition e2 : 'rV[F]_3 := vec 0 1 0.
 Definition e3 : 'rV[F]_3 := vec 0 0 1.
+Definition related_with m (k : F) (p q : 'rV[{poly F}]_m) t L M s :=
+  ev p t + ((L - t) * k) *: ev (pderiv p) t = s *: (ev q t + ((M - t) * k) *: ev (pderiv q) t).
 
 Lemma ev_jet A B t : ev (jet A B) t = A + t *: B.
 Proof. by apply/rowP=> k; rewrite !mxE !hornerE. Qed.
@@ -44,8 +47,6 @@ Proof. by apply/rowP=> k; rewrite !mxE derivN hornerN. Qed.
 Lemma ev_pderiv_scale f p t : ev (pderiv (f *: p)) t = f^`().[t] *: ev p t + f.[t] *: ev (pderiv p) t.
 Proof. by apply/rowP=> k; rewrite !mxE derivM hornerD !hornerM. Qed.
 
-Definition jetE := (ev_jet, ev_pderiv_jet, evD, evN, ev_pderivD, ev_pderivN, ev_scale, ev_pderiv_scale, FJ21_5.linearE, deriv_linear).
-
 (* Sums and multiples of points given by their coordinates: quicker than entry by entry. *)
 Lemma vec0 : 0 = vec 0 0 0 :> 'rV[F]_3.
 Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
@@ -62,15 +63,16 @@ Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
 Lemma coords a b c x y z : vec a b c = vec x y z -> [/\ a = x, b = y & c = z].
 Proof. by move=> /rowP e; have := (e (@Ordinal 3 0 isT), e (@Ordinal 3 1 isT), e (@Ordinal 3 2 isT)); rewrite !mxE => -[[]]. Qed.
 
-Definition vecE := (vecZ, vecN, vecD).
-
 End Jets.
+
+Notation jetE := (ev_jet, ev_pderiv_jet, evD, evN, ev_pderivD, ev_pderivN, ev_scale, ev_pderiv_scale, FJ21_5.linearE, deriv_linear).
+Notation vecE := (vecZ, vecN, vecD).
 
 Lemma one_is_not_zero (F : fieldType) : (1 = 0 :> F) -> False.
 Proof. by move/eqP; rewrite oner_eq0. Qed.
 
 (* The equation at hand, simplified, and coordinate by coordinate. *)
-Ltac at_jets := rewrite /related_at /tangent /frame ?jetE /e1 /e2 /e3 ?hornerX ?hornerC ?derivX ?derivC ?horner0 ?hornerC.
+Ltac at_jets := rewrite /related_at /related_with /tangent /frame ?jetE /e1 /e2 /e3 ?hornerX ?hornerC ?derivX ?derivC ?horner0 ?hornerC.
 Ltac as_vec := rewrite ?scale0r ?scaler0 ?scale1r ?add0r ?addr0 ?vec0 ?vecE.
 Ltac by_coords := as_vec; congr vec.
 Ltac split_coords := as_vec; move=> /coords; case.
@@ -134,20 +136,21 @@ rewrite /p /q; split=> [|lam mu nu]; at_jets; first by by_coords; ring.
 by split_coords => h1 _ _; refute (1 : F) h1.
 Qed.
 
-(** FJ21.C4.1 relation_needs_degree: where $n=0$ in the field, $p=0$, $q=p'=q'=(1,0,0)$: $\lambda=1$, $\mu=\nu=0$ and $p\ne\sigma q$, $\sigma=1$. *)
+(** FJ21.C4.1 relation_needs_degree: where $n=0$ in the field $\lambda=1$, $\mu=\nu=0$ give $\Lambda=M=t$, $\sigma=1$, so that the relation would be $p=q$ whatever stands for
+    $\frac1n$; but $p=0$, $q=p'=q'=(1,0,0)$ have this frame. *)
 Theorem FJ21_C4_1_relation_needs_degree n (p := jet 0 e1) (q := jet e1 e1) : n%:R = 0 :> F ->
-  frame p q 0 1 0 0 /\ forall L M, ~ related_at n p q 0 L M 1.
+  [/\ frame p q 0 1 0 0, (n%:R * (0 + 1) + (1 - 0) * 0) / (1 - 0) = 0 :> F & forall k, ~ related_with k p q 0 0 0 1].
 Proof.
-rewrite /p /q => n0; split=> [|L M]; at_jets; rewrite ?n0 ?invr0; first by by_coords; ring.
+rewrite /p /q => n0; split=> [||k]; at_jets; rewrite ?n0; [by by_coords; ring | by rewrite !mul0r mulr0 addr0 mul0r |].
 by split_coords => h1 _ _; refute (-1 : F) h1.
 Qed.
 
-(** FJ21.C4.1 frame_needs_degree: where $n=0$ in the field, $p=q=0$ are related for $\Lambda=1$, $M=0$, $\sigma=1$, so that $E=1$, but $p'=q'\ne0$ and
-    $\lambda=\mu=\nu=0$. *)
-Theorem FJ21_C4_1_frame_needs_degree n (p := jet 0 e1) (q := jet 0 e1) : n%:R = 0 :> F ->
-  related_at n p q 0 1 0 1 /\ ~ frame p q 0 (n%:R * 1 / 1) (1 * (0 - 0) / 1) (n%:R * (1 - 1) / 1).
+(** FJ21.C4.1 frame_needs_degree: where $n=0$ in the field $\Lambda=1$, $M=0$, $\sigma=1$, so that $E=1$, give $\lambda=\mu=\nu=0$: the frame of the constant $p=(1,0,0)$,
+    $q=(0,1,0)$; whatever stands for $\frac1n$ the relation would be $p=q$. *)
+Theorem FJ21_C4_1_frame_needs_degree n (p := jet e1 0) (q := jet e2 0) : n%:R = 0 :> F ->
+  frame p q 0 (n%:R * 1 / 1) (1 * (0 - 0) / 1) (n%:R * (1 - 1) / 1) /\ forall k, ~ related_with k p q 0 1 0 1.
 Proof.
-rewrite /p /q => n0; split; at_jets; rewrite ?n0 ?invr0; first by by_coords; ring.
+rewrite /p /q => n0; split=> [|k]; at_jets; rewrite ?n0; first by by_coords; ring.
 by split_coords => h1 _ _; refute (1 : F) h1.
 Qed.
 
@@ -159,108 +162,5 @@ Theorem FJ21_4_4_needs_degree n (p := jet 0 e1) (p0 p1 q0 q1 : 'rV[F]_3) : n%:R 
     - (0 * 0 + n%:R * 0) *: q1 - (0 * (1 - 0) - n%:R * 0) *: q0.
 Proof.
 rewrite /p => n0; rewrite n0; split; at_jets; rewrite ?addr0 !(mul0r, mulr0, addr0, subr0, scale0r); split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.W needs_weight: with the weights of $q$ times $\beta=0$ there are no $\Lambda,M,\sigma$: $p=q=(1,0,0)$, constant. *)
-Theorem FJ21_W_needs_weight n L M (p := jet e1 0) :
-  related_at n p p 0 L M 1 /\ forall L' M' s', ~ related_at n (1%:P *: p) (0%:P *: p) 0 L' M' s'.
-Proof.
-rewrite /p; split=> [|L' M' s']; at_jets; first by by_coords; ring.
-by split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.5.3 needs_degree: where $n=0$ in the field, $f=g=1$: $\tilde\Lambda=1$, $\tilde M=0$, $\tilde\sigma=1$ relate $fp$, $gq$ in degree $n+1$ for $p=0$, $p'=q=(1,0,0)$,
-    $q'=0$, and $p\ne\sigma q$, $\sigma=1$. *)
-Theorem FJ21_5_3_needs_degree n (p := jet 0 e1) (q := jet e1 0) : n%:R = 0 :> F ->
-  related_at n.+1 (linear 1 0 *: p) (linear 1 0 *: q) 0 1 0 1 /\ forall L M, ~ related_at n p q 0 L M 1.
-Proof.
-rewrite /p /q => n0; split=> [|L M]; at_jets; rewrite ?natrS n0 ?add0r ?invr1 ?invr0; first by by_coords; ring.
-by split_coords => h1 _ _; refute (-1 : F) h1.
-Qed.
-
-(** FJ21.5.3 needs_next: where $n+1=0$ in the field, $f=g=1+t$: $\tilde\Lambda=\tilde M=\tilde\sigma=1$ relate $fp$, $gq$ in degree $n+1$ for $p=q=0$, but for $p'\ne q'$ not
-    $\Lambda=M=-1$, $\sigma=1$ in degree $n$, where $nf(t)+f(\tilde\Lambda)=ng(t)+g(\tilde M)=1$. *)
-Theorem FJ21_5_3_needs_next n (f := linear 1 1) (p := jet 0 e1) (q := jet 0 0) : n.+1%:R = 0 :> F ->
-  [/\ n%:R * f.[0] + f.[1] = 1, related_at n.+1 (f *: p) (f *: q) 0 1 1 1
-    & ~ related_at n p q 0 ((n%:R * f.[0] * 1 + f.[1] * 0) / 1) ((n%:R * f.[0] * 1 + f.[1] * 0) / 1) (1 / 1 * 1)].
-Proof.
-rewrite /f /p /q => n1; have nN : n%:R = -1 :> F by apply/eqP; rewrite -addr_eq0 -natrS n1.
-split; at_jets; rewrite ?n1 ?nN ?invr0 ?invrN ?invr1; [by ring | by by_coords; ring |].
-by split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.5.3 needs_H: for $f=1+t$, $g=1$ and $\tilde\Lambda=-(n+1)$, $nf(t)+f(\tilde\Lambda)=0$: $fp$ and $gq$ are related in degree $n+1$ with $\tilde M=0$, $\tilde\sigma=1$,
-    and there are no $\Lambda,M,\sigma$ in degree $n$.
-    Hypotheses: $n+1\ne0$ in the field. *)
-Theorem FJ21_5_3_needs_H n (p := jet e1 (- e2)) (q := jet e2 0) : n.+1%:R != 0 :> F ->
-  related_at n.+1 (linear 1 1 *: p) (linear 1 0 *: q) 0 (- n.+1%:R) 0 1 /\ forall L M s, ~ related_at n p q 0 L M s.
-Proof.
-rewrite /p /q => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
-by split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.5.3 needs_G: likewise for $f=1$, $g=1+t$ and $\tilde M=-(n+1)$, $\tilde\Lambda=0$, $\tilde\sigma=1$: $ng(t)+g(\tilde M)=0$.
-    Hypotheses: $n+1\ne0$ in the field. *)
-Theorem FJ21_5_3_needs_G n (p := jet e2 0) (q := jet e1 (- e2)) : n.+1%:R != 0 :> F ->
-  related_at n.+1 (linear 1 0 *: p) (linear 1 1 *: q) 0 0 (- n.+1%:R) 1 /\ forall L M s, ~ related_at n p q 0 L M s.
-Proof.
-rewrite /p /q => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
-split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h1); ring.
-by rewrite s0 in h2; refute (1 : F) h2.
-Qed.
-
-(** FJ21.5.3 usual_needs_degree: where $n=0$ in the field, at $t=1$, $p=t(1,0,0)$, $q=0$: $p(t)+(\tilde\Lambda-t)p'(t)=0$ for $\tilde\Lambda=0$, but $p(t)\ne0$. *)
-Theorem FJ21_5_3_usual_needs_degree n L M (p := jet 0 e1) (q := jet 0 0) : n%:R = 0 :> F ->
-  related_at n.+1 p q 1 ((n.+1%:R * L - 1) / n%:R) ((n.+1%:R * M - 1) / n%:R) 1 /\ ~ related_at n p q 1 L M 1.
-Proof.
-rewrite /p /q => n0; split; at_jets; rewrite ?natrS n0 ?add0r ?invr0 ?invr1; first by by_coords; ring.
-by split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.5.3 usual_needs_next: where $n+1=0$ in the field, $p=q=0$, $p'=(1,0,0)$, $q'=0$: related in degree $n+1$, but not in degree $n$ for $\Lambda=1$, $M=0$. *)
-Theorem FJ21_5_3_usual_needs_next n (p := jet 0 e1) (q := jet 0 0) : n.+1%:R = 0 :> F ->
-  related_at n.+1 p q 0 ((n.+1%:R * 1 - 0) / n%:R) ((n.+1%:R * 0 - 0) / n%:R) 1 /\ ~ related_at n p q 0 1 0 1.
-Proof.
-rewrite /p /q => n1; have nN : n%:R = -1 :> F by apply/eqP; rewrite -addr_eq0 -natrS n1.
-split; at_jets; rewrite ?n1 ?nN ?invr0 ?invrN ?invr1; first by by_coords; ring.
-by split_coords => h1 _ _; refute (-1 : F) h1.
-Qed.
-
-(** FJ21.5.4 needs_degree: where $n=0$ in the field, $f=g=1$, the example of (5.3): $\tilde\Lambda=1$, $\tilde M=0$, $\tilde\sigma=1$, and $p\ne\sigma q$, $\sigma=1$. *)
-Theorem FJ21_5_4_needs_degree n (p := jet 0 e1) (q := jet e1 0) (f := linear 1 0) : n%:R = 0 :> F ->
-  related_at n.+1 (f *: p) (f *: p + f *: (q - p)) 0 1 0 1 /\ forall L M, ~ related_at n p q 0 L M 1.
-Proof.
-rewrite /p /q /f => n0; split=> [|L M]; at_jets; rewrite ?natrS n0 ?add0r ?invr1 ?invr0; first by by_coords; ring.
-by split_coords => h1 _ _; refute (-1 : F) h1.
-Qed.
-
-(** FJ21.5.4 needs_next: where $n+1=0$ in the field, $f=g=1+t$: $\tilde\Lambda=\tilde M=\tilde\sigma=1$ relate the rows for $p=q=0$, $p'=(1,0,0)$, $q'=0$, but $\Lambda=M=-1$,
-    $\sigma=1$, those of the formula, for which $G=H=1$, do not relate $p$ and $q$. *)
-Theorem FJ21_5_4_needs_next n (f := linear 1 1) (p := jet 0 e1) (q := jet 0 0) : n.+1%:R = 0 :> F ->
-  [/\ n%:R * f.[0] + f.[1] = 1, related_at n.+1 (f *: p) (f *: p + f *: (q - p)) 0 1 1 1 & ~ related_at n p q 0 (-1) (-1) 1].
-Proof.
-rewrite /f /p /q => n1; have nN : n%:R = -1 :> F by apply/eqP; rewrite -addr_eq0 -natrS n1.
-split; at_jets; rewrite ?n1 ?nN ?invr0 ?invrN ?invr1; [by ring | by by_coords; ring |].
-by split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.5.4 needs_H: for $f=1+t$, $g=1$, $\tilde\Lambda=-(n+1)$, $\tilde M=0$, $\tilde\sigma=1$, so that $H=0$, the rows $fp$ and $fp+g(q-p)$ are related in degree
-    $n+1$ and there are no $\Lambda,M,\sigma$ in degree $n$.
-    Hypotheses: $n+1\ne0$ in the field. *)
-Theorem FJ21_5_4_needs_H n (p := jet e1 (- e2)) (q := jet e2 0) (f := linear 1 1) (g := linear 1 0) : n.+1%:R != 0 :> F ->
-  related_at n.+1 (f *: p) (f *: p + g *: (q - p)) 0 (- n.+1%:R) 0 1 /\ forall L M s, ~ related_at n p q 0 L M s.
-Proof.
-rewrite /p /q /f /g => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
-by split_coords => h1 _ _; refute (1 : F) h1.
-Qed.
-
-(** FJ21.5.4 needs_G: for $f=t$, $g=1+t$, $\tilde M=-(n+1)$, $\tilde\Lambda=0$, $\tilde\sigma=1$, so that $G=0$ and $H=n+1$: likewise.
-    Hypotheses: $n+1\ne0$ in the field. *)
-Theorem FJ21_5_4_needs_G n (p := jet e1 0) (q := jet (e1 + e2) (- e1)) (f := linear 0 1) (g := linear 1 1) : n.+1%:R != 0 :> F ->
-  related_at n.+1 (f *: p) (f *: p + g *: (q - p)) 0 0 (- n.+1%:R) 1 /\ forall L M s, ~ related_at n p q 0 L M s.
-Proof.
-rewrite /p /q /f /g => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
-split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h2); ring.
-by rewrite s0 in h1; refute (1 : F) h1.
 Qed.
 End Needs.

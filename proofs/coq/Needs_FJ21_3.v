@@ -1,6 +1,6 @@
 (* FJ21, section 3: what happens without the hypotheses of the theorems, one counterexample each. *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_blossoms Needs_blossoms Functions FJ21_2 FJ21_3_theorem FJ21_3_needs FJ21_4.
+From Torse Require Import Blossom Curves Points Bernstein FJ07_3_blossoms Needs_blossoms Functions FJ21_2 FJ21_3_theorem FJ21_3_needs FJ21_4.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -43,35 +43,87 @@ Variable F : fieldType.
 Notation K := {fraction {poly F}}.
 Implicit Types (n : nat) (L M s : K) (p q : 'rV[{poly F}]_4).
 
-Let at_infinity p q : p = row4 0 1 'X 0 -> q = row4 1 0 0 'X -> \det (rows4 p (pderiv p) q (pderiv q)) = 1.
+Lemma at_infinity p q : p = row4 0 1 'X 0 -> q = row4 1 0 0 'X ->
+  \det (rows4 p (pderiv p) q (pderiv q)) = 1 /\ \det (rows4 q (pderiv q) p (pderiv p)) = 1.
 Proof.
-move=> -> ->; rewrite det_rows4 /weight /place; coordinates; rewrite /= ?derivX ?linear0 ?derivC.
-by rewrite -?polyC1 ?derivC; ring.
+move=> -> ->; have -> : pderiv (row4 0 1 'X 0) = row4 0 0 1 0 :> 'rV[{poly F}]_4.
+  by apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /= ?derivX -?polyC1 ?derivC ?linear0.
+have -> : pderiv (row4 1 0 0 'X) = row4 0 0 0 1 :> 'rV[{poly F}]_4.
+  by apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /= ?derivX -?polyC1 ?derivC ?linear0.
+by rewrite !det_row4; split; ring.
 Qed.
 
 (** FJ21.C3.1 tangents_needs_weight: for $p=(0,1,t,0)$, at infinity, and $q=(1,0,0,t)$ the determinant is $1$, and the left side has the factor $w=0$: no value in
-    the place of $(d-c)\cdot(c'\times d')$ serves. *)
+    the place of $(d-c)\cdot(c'\times d')$ serves; nor for $p$ and $q$ in the other order. *)
 Theorem FJ21_C3_1_tangents_needs_weight (p : 'rV[{poly F}]_4 := row4 0 1 'X 0) (q : 'rV[{poly F}]_4 := row4 1 0 0 'X) (x : K) :
-  FracField.tofrac ((weight p * weight q) ^+ 2) * x <> - FracField.tofrac (\det (rows4 p (pderiv p) q (pderiv q))).
+  FracField.tofrac ((weight p * weight q) ^+ 2) * x <> - FracField.tofrac (\det (rows4 p (pderiv p) q (pderiv q))) /\
+  FracField.tofrac ((weight q * weight p) ^+ 2) * x <> - FracField.tofrac (\det (rows4 q (pderiv q) p (pderiv p))).
 Proof.
-rewrite at_infinity // /weight !mxE /= mul0r expr0n tofrac0 mul0r tofrac1 => /esym/eqP.
-by rewrite oppr_eq0 oner_eq0.
+have [-> ->] := at_infinity (erefl p) (erefl q); have w0 : weight p = 0 by rewrite /weight mxE.
+by rewrite w0 mulr0 mul0r expr0n tofrac0 mul0r tofrac1; split=> /esym/eqP; rewrite oppr_eq0 oner_eq0.
 Qed.
 
-(** FJ21.2.1 determinant_needs_weight: for the same rows there is no point $c$; with $x/0=0$ the condition (2.1) would hold, and the determinant is not 0. *)
+(** FJ21.2.1 determinant_needs_weight: for the same rows there is no point $c$, or $d$ in the other order; with $x/0=0$ the condition (2.1) would hold, and the
+    determinant is not 0. *)
 Theorem FJ21_2_1_determinant_needs_weight (p : 'rV[{poly F}]_4 := row4 0 1 'X 0) (q : 'rV[{poly F}]_4 := row4 1 0 0 'X) :
-  weight p = 0 /\ \det (rows4 p (pderiv p) q (pderiv q)) <> 0.
-Proof. by rewrite at_infinity // /weight mxE; split=> //; apply/eqP; rewrite oner_eq0. Qed.
+  [/\ weight p = 0, \det (rows4 p (pderiv p) q (pderiv q)) <> 0 & \det (rows4 q (pderiv q) p (pderiv p)) <> 0].
+Proof. by have [-> ->] := at_infinity (erefl p) (erefl q); rewrite /weight mxE; split=> //; apply/eqP; rewrite oner_eq0. Qed.
 
-(** FJ21.T3.1 exact_needs_degree: where $n=0$ in the field $p+\frac{\Lambda-t}np'$ has no meaning; with $x/0=0$ the relation would say $p=\sigma q$, which $p=(1,t,0,0)$,
-    $q=(1,0,t,0)$ do not obey, though $p=q-tq'+tp'$ and $q=p-tp'+tq'$. *)
-Theorem FJ21_T3_1_exact_needs_degree n (p : 'rV[{poly F}]_4 := row4 1 'X 0 0) (q : 'rV[{poly F}]_4 := row4 1 0 'X 0) : n%:R = 0 :> K ->
-  p = 'X *: pderiv p + 1 *: q + (- 'X) *: pderiv q /\ forall L M s, ~ frelated n p q L M s.
+Let bent_p : 'rV[{poly F}]_4 := row4 (1 + 'X) 'X 0 'X^3.
+Let bent_q : 'rV[{poly F}]_4 := row4 1 1 'X (- (3%:R * 'X^2)).
+
+Lemma bent_rows : [/\ pderiv bent_p = row4 1 1 0 (3%:R * 'X^2), pderiv bent_q = row4 0 0 1 (- (6%:R * 'X)), weight bent_p != 0 & weight bent_q = 1].
 Proof.
-move=> n0; split=> [|L M s]; last first.
-  rewrite /frelated /ftangent n0 invr0 !mulr0 !scale0r !addr0 => /rowP h; have := h 1; rewrite !mxE /= tofrac0 mulr0 => /eqP.
-  by rewrite tofrac_eq0 polyX_eq0.
-apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /= ?derivX -?polyC1 ?derivC ?linear0 ?polyC1; ring.
+have D (g : {poly F}) k : (k%:R * g)^`() = k%:R * g^`() by rewrite derivM -(polyC_nat F) derivC mul0r add0r.
+split; rewrite /weight ?mxE //.
+- apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /= ?derivD ?derivX -?polyC1 ?derivC ?add0r ?linear0 // derivXn /= mulr_natl //.
+- apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /= ?derivX -?polyC1 ?derivC //.
+  by rewrite derivN D derivXn expr1 -(mulr_natl 'X 2) mulrA -natrM.
+by rewrite /= addrC -size_poly_eq0 -polyC1 size_XaddC.
+Qed.
+
+(* p' = q - t q', while q', p, p' are independent. *)
+Lemma bent_dependence : pderiv bent_p = bent_q - 'X *: pderiv bent_q.
+Proof.
+have [-> -> _ _] := bent_rows; apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE /=; move: ('X : {poly F}) => X; ring.
+Qed.
+
+Lemma bent_free : free (pfun (pderiv bent_q)) (pfun bent_p) (pfun (pderiv bent_p)).
+Proof.
+have [-> -> _ _] := bent_rows; move=> i j k /rowP e; have := (e 0, e 1, e 2%:R).
+rewrite !mxE /= tofrac0 tofrac1 tofracD tofrac1 !mulr0 !mulr1 !addr0 !add0r; move: (FracField.tofrac 'X) => X -[[h0 h1] ->].
+have j0 : j = 0 by apply: (by_multiple (z := 1) (congr2 (fun a b => a - b) h0 h1)); ring.
+by split=> //; move: h1; rewrite j0 mul0r add0r.
+Qed.
+
+(** FJ21.T3.1 generic_needs_first: $p=(1+t,t,0,t^3)$ and $q=(1,1,t,-3t^2)$ have $p'=q-tq'$, so that the surface is developable, and $q',p,p'$ are independent, but there are
+    no $\Lambda,M,\sigma$, in no degree $n$. *)
+Theorem FJ21_T3_1_generic_needs_first (p : 'rV[{poly F}]_4 := row4 (1 + 'X) 'X 0 'X^3) (q : 'rV[{poly F}]_4 := row4 1 1 'X (- (3%:R * 'X^2))) :
+  [/\ weight p != 0 /\ weight q != 0, free (pfun (pderiv q)) (pfun p) (pfun (pderiv p)), rational_developable p q
+    & forall n L M s, ~ frelated n p q L M s].
+Proof.
+have [dp dq w0 w1] := bent_rows; have om0 : weight bent_q != 0 by rewrite w1 oner_eq0.
+split=> //; first exact: bent_free.
+  apply/FJ21_2_1_determinant => //; apply/det_dependent; exists 0, 1, (-1), 'X; rewrite !xpair_eqE oner_eq0 andbF; split=> //.
+  by rewrite bent_dependence scale0r add0r scale1r scaleN1r addrAC subrK subrr.
+move=> n L M s; rewrite /frelated /ftangent -[p]/bent_p -[q]/bent_q dp dq => /rowP e; have := (e 0, e 1); rewrite !mxE /=.
+rewrite tofracD tofrac0 tofrac1 mulr0 addr0 => -[<- e1]; suff /eqP : 1 = 0 :> K by rewrite oner_eq0.
+by apply: (by_multiple (z := -1) e1); ring.
+Qed.
+
+(** FJ21.T3.1 generic_needs_second: likewise for the same rows in the other order, where $p',q,q'$ are independent. *)
+Theorem FJ21_T3_1_generic_needs_second (p : 'rV[{poly F}]_4 := row4 1 1 'X (- (3%:R * 'X^2))) (q : 'rV[{poly F}]_4 := row4 (1 + 'X) 'X 0 'X^3) :
+  [/\ weight p != 0 /\ weight q != 0, free (pfun (pderiv p)) (pfun q) (pfun (pderiv q)), rational_developable p q
+    & forall n L M s, ~ frelated n p q L M s].
+Proof.
+have [dq dp om0 w1] := bent_rows; have w0 : weight bent_q != 0 by rewrite w1 oner_eq0.
+split=> //; first exact: bent_free.
+  apply/FJ21_2_1_determinant => //; apply/det_dependent; exists (-1), 'X, 0, 1; rewrite !xpair_eqE oner_eq0 !andbF; split=> //.
+  by rewrite -[q]/bent_p bent_dependence scale0r addr0 scale1r scaleN1r [- _ + _]addrC -opprB addNr.
+move=> n L M s; rewrite /frelated /ftangent -[p]/bent_q -[q]/bent_p dp dq => /rowP e; have := (e 0, e 1); rewrite !mxE /=.
+rewrite tofracD tofrac0 tofrac1 mulr0 addr0 => -[h0 h1].
+have s0 : s = 0 by apply: (by_multiple (z := -1) (congr2 (fun a b => a - b) h0 h1)); ring.
+by move/eqP: h0; rewrite s0 mul0r oner_eq0.
 Qed.
 End Rows.
 
