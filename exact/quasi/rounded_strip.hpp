@@ -28,7 +28,9 @@ class RoundedStrip {
       lengths_.push_back(Rational(u.piece_end(k) - u.piece_begin(k)).to_double());
       c_.push_back(rounded<D>(bezier_points(u, c, k)));
       d_.push_back(rounded<D>(bezier_points(u, d, k)));
-      for (const auto& row : c_.back()) size_ = std::max(size_, row.tail<3>().norm() / std::abs(row[0]));
+      for (const Rows* rows : {&c_.back(), &d_.back()}) {
+        for (const auto& row : *rows) size_ = std::max(size_, row.tail<3>().norm() / std::abs(row[0]));
+      }
     }
   }
 

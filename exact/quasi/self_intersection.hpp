@@ -32,8 +32,7 @@ struct SelfIntersection {
 /// Looks for crossings of rulings between the rails. `no` is certified, by intervals around exact numbers:
 /// - two parts of the strip are apart if a plane separates the hulls of their control points;
 /// - within a part no two rulings cross if for some direction e the products det(e, w_j, a_i) and det(e, w_j, b_i) of
-/// the
-///   Bernstein coefficients of w = d - c, a ~ c' and b ~ d' are all at least 0 and not all 0: then both rails leave
+///   the Bernstein coefficients of w = d - c, a ~ c' and b ~ d' are all at least 0 and not all 0: then both rails leave
 ///   every ruling to the same side. Neighbouring rulings may share a point of a rail (the vertex of a cone).
 /// `yes` is found by Newton's method in doubles. `unknown` where `most_pairs` pairs of parts did not tell, as for
 /// strips that touch themselves. The ends of a closed strip may meet. D = 3: points of a polynomial surface, D = 4:

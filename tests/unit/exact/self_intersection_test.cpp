@@ -53,6 +53,24 @@ void expect_witness(const KnotList<Q>& u, const Row& c, const Row& d) {
   EXPECT_LT(gap.norm(), 1e-11);
 }
 
+/// The same strip with its coordinates in another order: the loop in a plane through the origin.
+TEST(SelfIntersection, ALoopInACoordinatePlaneHasAWitnessToo) {
+  const auto turned = [](const Row& row) {
+    Row result;
+    for (const Point& x : row) result.push_back(Point(x[2], x[0], x[1]));
+    return result;
+  };
+  expect_witness(bezier_knots<Q>(3), turned(looped()), turned(raised(looped(), Q(1))));
+}
+
+/// The size of the surface is that of the larger rail, not that of the one that is all but a point.
+TEST(SelfIntersection, ALoopAboveAMuchSmallerOneHasAWitness) {
+  Row small = looped();
+  for (Point& x : small) x = Point(scaled(Q::from_double(0x1p-60), x));
+  expect_witness(bezier_knots<Q>(3), small, raised(looped(), Q(1)));
+  expect_witness(bezier_knots<Q>(3), raised(looped(), Q(1)), small);
+}
+
 /// BZZ19's "guaranteed to have no self-intersections" is refuted by T = t over a curve with a loop.
 TEST(SelfIntersection, ALoopThatIsRaisedCrossesItself) {
   expect_witness(bezier_knots<Q>(3), looped(), raised(looped(), Q(1)));
