@@ -89,13 +89,12 @@ class Fitter {
 
   Fit run() {
     const std::vector<double> identity = coefficients(fit_.mapping);
-    beta_ = identity;
-    value_ = fit_.initial = measured(rails_.d, samples_, identity, descent_options()) * degrees;
-    fit_.curve.push_back({value_, 0});
+    fit_.initial = measured(rails_.d, samples_, identity, descent_options()) * degrees;
+    fit_.curve.push_back({fit_.initial, 0});
     const int columns = std::clamp(options_.coefficients - options_.degree, least_columns, most_columns);
     const RulingGrid grid(rails_, columns, grid_rows, options_.kind);
-    try_start("path", held(follow_path(best_path(grid, options_.ends), identity)));
-    if (fit_.stages.back().after >= fit_.initial) try_start("T = t", identity);
+    start_from("path", held(follow_path(best_path(grid, options_.ends), identity)));
+    if (value_ >= fit_.initial) start_from("T = t", identity);
     shift_steep_places();
     if (options_.adaptive) move_knots();
     if (options_.measure == Measure::max) lower_mean();
@@ -141,13 +140,11 @@ class Fitter {
     return descent;
   }
 
-  /// Keeps where a descent ends if it is better than all before.
-  bool try_start(const std::string& name, std::vector<double> beta, double gain = 1) {
+  /// Goes on where a descent from beta ends.
+  void start_from(const std::string& name, std::vector<double> beta) {
     Descent descent = descend_from(name, samples_, std::move(beta), descent_options());
-    if (!(descent.value * degrees < gain * value_)) return false;
     beta_ = std::move(descent.beta);
     value_ = descent.value * degrees;
-    return true;
   }
 
   /// A steep place of the mapping is in one piece or in another: no descent leads from here to there. So the steepest
@@ -182,7 +179,7 @@ class Fitter {
       brief.steps_per_stage = 3;
       const Descent glance = descend(rails_.d, samples_, std::move(moved), brief);
       if (!(glance.value * degrees < worth_while * value_)) return;
-      if (!try_start("shifted", glance.beta, worth_while)) return;
+      start_from("shifted", glance.beta);
       i = direction < 0 ? i - 1 : i + 1;
     }
   }

@@ -118,6 +118,27 @@ TEST(Descent, EachMeasureIsLeastWhereItWasMinimised) {
   }
 }
 
+/// Newton's method with the second derivatives of the angles: a smooth measure is least after a few steps. Two steps do
+/// not tell that it is.
+TEST(Descent, ASmoothMeasureTakesFewSteps) {
+  for (const int turn : {20, 40, 60}) {
+    const Problem problem{turned_arcs(turn)};
+    DescentOptions options;
+    options.ends = Ends::free;
+    options.measure = Measure::rms;
+    const Descent descent = descend(problem.rails.d, problem.samples, problem.identity, options);
+    EXPECT_TRUE(descent.converged);
+    EXPECT_LE(descent.steps.size(), 4U) << turn;
+    options.stages = 2;
+    options.steps_per_stage = 1;
+    const Descent brief = descend(problem.rails.d, problem.samples, problem.identity, options);
+    ASSERT_EQ(brief.steps.size(), 2U);
+    EXPECT_LT(brief.steps[1].value, 0.9999 * brief.steps[0].value);
+    EXPECT_GT(brief.value, 1.0001 * descent.value);
+    EXPECT_FALSE(brief.converged);
+  }
+}
+
 /// Over many pairs, valleys of their own included; the root mean square lies between the mean and the maximum.
 TEST(Descent, EachMeasureIsLeastOnTheWholeWhereItWasMinimised) {
   const std::array<Measure, 3> measures{Measure::mean, Measure::rms, Measure::max};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../spline/splines.hpp"
 #include "rails.hpp"
 #include "torse/quasi/paper_fit.hpp"
 
@@ -132,6 +133,48 @@ TEST(Fit, CoefficientsInOrderWithTheEndsAndTheNumberAskedFor) {
   }
 }
 
+/// Random rails, one above the other by 2.
+Rails drawn_rails(std::uint64_t seed) {
+  test::ExactCurve d = test::drawn_curve(test::knots(3, {0, 0, 0, 1, 2, 2, 2}), true, 2 * seed + 1);
+  for (Vec<Rational, 4>& row : d.control) row[3] += Rational(2) * row[0];
+  return {test::in_doubles(test::drawn_curve(bezier_knots<Rational>(4), false, 2 * seed)), test::in_doubles(d)};
+}
+
+/// With better knots the first of these strips is worse, the second much better.
+TEST(Fit, IsTheBestOfItsStages) {
+  for (const std::uint64_t seed : {7U, 11U}) {
+    FitOptions options;
+    options.coefficients = 12;
+    options.kind = AngleKind::sides;
+    const Fit fit = fit_rails(drawn_rails(seed), options);
+    double best = fit.stages.front().after;
+    for (const FitStage& stage : fit.stages) {
+      EXPECT_LE(stage.after, stage.before) << stage.start;
+      best = std::min(best, stage.after);
+    }
+    EXPECT_EQ(fit.stages.back().start, "moved knots");
+    EXPECT_EQ(fit.stages.back().after == best, seed == 11);
+    EXPECT_NEAR(fit.curve.back().value / best, 1, 1e-12);
+    EXPECT_LT(fit.value, 1.015 * best) << "between the samples of the descents";
+    EXPECT_GT(fit.value, 0.95 * best);
+  }
+}
+
+/// The path of the first strip leads to a worse mapping than T = t, which is tried then; those of the others do not.
+TEST(Fit, StartsFromTheSameParameterOnlyWhereThePathIsWorse) {
+  for (const std::uint64_t seed : {28U, 7U, 11U}) {
+    FitOptions options;
+    options.coefficients = 3;
+    options.adaptive = false;
+    const Fit fit = fit_rails(drawn_rails(seed), options);
+    const FitStage& path = fit.stages.front();
+    EXPECT_EQ(path.start, "path");
+    EXPECT_EQ(std::ranges::count(fit.stages, "T = t", &FitStage::start), seed == 28 ? 1 : 0);
+    EXPECT_EQ(fit.stages.back().after < 0.99 * path.after, seed == 28);
+    EXPECT_LT(fit.value, 1.02 * fit.stages.back().after);
+  }
+}
+
 TEST(Fit, Errors) {
   const auto place = [](int degree, int count) {
     FitOptions options;
@@ -149,6 +192,15 @@ TEST(Fit, Errors) {
   EXPECT_EQ(place(3, 3), "coefficients");
   EXPECT_EQ(place(2, 10001), "coefficients");
   EXPECT_EQ(place(3, 4), "none");
+  FitOptions few;
+  few.degree = 3;
+  few.coefficients = 3;
+  try {
+    fit_rails(skew_rails(10), few);
+    ADD_FAILURE();
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "coefficients: expected 4 to 10000, found 3");
+  }
 }
 
 TEST(Fit, NeverWorseThanTheSameParameter) {
