@@ -130,6 +130,12 @@ TEST(Interval, PredicatesSayOnlyWhatHoldsForAllElements) {
   EXPECT_THROW(Interval::hull(detail::infinity, detail::infinity), InvalidInput);
   EXPECT_THROW(Interval::hull(-detail::infinity, -detail::infinity), InvalidInput);
   EXPECT_TRUE(Interval::hull(-detail::infinity, detail::infinity).contains(0));
+  try {
+    Interval::hull(1, 0);
+    ADD_FAILURE();
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "interval: expected ends in increasing order");
+  }
   EXPECT_THROW(Interval::point(std::nan("")), InvalidInput);
   EXPECT_THROW(static_cast<void>(Interval(1) / Interval(0)), DivisionByZero);
 }

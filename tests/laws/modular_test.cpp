@@ -320,6 +320,13 @@ TEST(Batch, ConstantsDivideLikeLanes) {
   EXPECT_EQ(ratio<Batch>(1, 2).text(), "1/2");
 }
 
+TEST(Batch, TextShowsTheFirstLanes) {
+  const Batch count(sample_modulus(), [](int i) { return static_cast<std::uint64_t>(i) + 3; });
+  const Batch odd(sample_modulus(), [](int i) { return static_cast<std::uint64_t>(i % 2); });
+  EXPECT_EQ(count.text(), "[3, 4, 5, 6, ...]");
+  EXPECT_EQ((count / odd).text(), "[?, 4, ?, 6, ...]");
+}
+
 TEST(Batch, ZeroTestSpeaksOfDefinedLanes) {
   const Modulus& m = sample_modulus();
   const Batch ones(m, [](int) { return 1U; });

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "rational_rows.hpp"
 #include "torse/developable/factors.hpp"
 #include "torse/developable/linear_net.hpp"
 #include "torse/developable/moebius.hpp"
+#include "torse/exact/modular/zp.hpp"
 #include "torse/proofs/examples/fj21_section8.hpp"
 #include "torse/spline/elevation.hpp"
 #include "torse/spline/insertion.hpp"
@@ -218,6 +221,28 @@ TEST(PieceFunctions, ARowThatIsOnePoint) {
   EXPECT_FALSE(g.lambda() || g.sigma());
 }
 
+TEST(PieceFunctions, ARowOnTheTangentsOfTheOther) {
+  // 3 q[t, t, 0] = 3 q - t q' needs one derivative only: with M = 0 and Lam = t for p there.
+  const Rows edge = cubic_row();
+  Rows on_tangents{edge[0]};
+  for (int i = 1; i <= 3; ++i) {
+    const Q share = q(i, 3);
+    on_tangents.push_back(
+        combine(share, edge[static_cast<std::size_t>(i - 1)], Q(1) - share, edge[static_cast<std::size_t>(i)]));
+  }
+  const auto f = recover_piece<Q>(bezier_knots<Q>(3), on_tangents, edge, 1);
+  const auto g = recover_piece<Q>(bezier_knots<Q>(3), edge, on_tangents, 1);
+  for (const auto& piece : {f, g}) {
+    EXPECT_EQ(piece.sweep, Sweep::surface);
+    EXPECT_FALSE(piece.c_is_a_point());
+    EXPECT_FALSE(piece.d_is_a_point());
+  }
+  EXPECT_TRUE(f.beta.zero());
+  EXPECT_TRUE(g.delta.zero());
+  EXPECT_TRUE(*f.lambda() == Ratio::variable());
+  EXPECT_TRUE(*f.m() == constant(Q(0)));
+}
+
 TEST(PieceFunctions, WithoutASurfaceNothingIsUnique) {
   const auto same = recover_piece<Q>(bezier_knots<Q>(3), cubic_row(), cubic_row(), 1);
   EXPECT_EQ(same.sweep, Sweep::curve);
@@ -226,6 +251,25 @@ TEST(PieceFunctions, WithoutASurfaceNothingIsUnique) {
   const auto line = recover_piece<Q>(bezier_knots<Q>(2), c, d, 1);
   EXPECT_EQ(line.sweep, Sweep::line);
   EXPECT_FALSE(line.lambda() || line.m() || line.sigma() || line.frame());
+}
+
+/// A field whose numbers have no denominators to clear.
+TEST(PieceFunctions, ModuloAPrimeTheyAreConstantToo) {
+  const Modulus modulus((std::uint64_t{1} << 63) - 25);
+  std::vector<Vec<Zp, 4>> p;
+  std::mt19937_64 rng(1);
+  for (int i = 0; i <= 3; ++i) {
+    Vec<Zp, 4> x;
+    for (int j = 0; j < 4; ++j) x[j] = Zp::draw(modulus, rng);
+    p.push_back(x);
+  }
+  const KnotList<Zp> u = bezier_knots<Zp>(3);
+  const Zp lambda = Zp::draw(modulus, rng), m = Zp::draw(modulus, rng), sigma = Zp::draw(modulus, rng);
+  const Vec<Zp, 4> start(Zp::draw(modulus, rng), Zp(2), Zp(5), Zp(7));
+  const auto f = recover_piece<Zp>(u, p, rational_net<Zp, Vec<Zp, 4>>(u, p, lambda, m, sigma, start), 1);
+  EXPECT_TRUE(*f.lambda() == PolynomialFraction<Zp>(Polynomial<Zp>::constant(lambda)));
+  EXPECT_TRUE(*f.m() == PolynomialFraction<Zp>(Polynomial<Zp>::constant(m)));
+  EXPECT_TRUE(*f.sigma() == PolynomialFraction<Zp>(Polynomial<Zp>::constant(sigma)));
 }
 
 TEST(PieceFunctions, APieceThatIsNotDevelopableIsRefused) {

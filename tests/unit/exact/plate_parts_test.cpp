@@ -44,6 +44,26 @@ TEST(PlateDeviation, OfStraightRailsIsThatOfTheirVertices) {
   }
 }
 
+/// A rectangle of 1/4 by 1/8, drawn upwards and downwards.
+TEST(PlateArea, IsPositiveForEitherOrientation) {
+  const KnotList<Q> u = bezier_knots<Q>(1);
+  const Rows p = rows({{0, 0, 0}, {0.25, 0, 0}}), q = rows({{0, 0.125, 0}, {0.25, 0.125, 0}});
+  for (const auto& [c, d] : {std::pair{p, q}, {q, p}}) {
+    for (const bool reversed : {false, true}) {
+      Rows first = c, second = d;
+      if (reversed) {
+        std::ranges::reverse(first);
+        std::ranges::reverse(second);
+      }
+      const auto strips = piece_strips(u, first, second);
+      const Plate plate = unroll_plate(strips, {1e-6, ruling_marks(u, strips, 2), 0, false});
+      EXPECT_LE(plate.area_after.lower(), 1.0 / 32);
+      EXPECT_GE(plate.area_after.upper(), 1.0 / 32);
+      EXPECT_GT(plate.area_after.lower(), 0.999 / 32);
+    }
+  }
+}
+
 /// Two planes, 60 degrees apart. Both rails come to rest at the joint, C = (2 - 2(1-t)^2, ...), so that they have no
 /// speed there that could tell of the sides.
 TEST(PlateBends, AtAJointWhereTheRailsStandStill) {

@@ -113,6 +113,21 @@ TEST(RoundedQuotient, IsUnboundedWhereItsDenominatorMayVanish) {
   EXPECT_EQ(RoundedQuotient(constant(4, 1, 2), constant(4, 2, 0)).lower_at_begin(), 0);
 }
 
+/// Bernstein coefficients 1, -1, 1 over 1, 0, 1: the one of zero says nothing, whatever stands over it.
+TEST(RoundedQuotient, HopesOnlyWhereItsDenominatorIsPositive) {
+  const auto over = [](double middle) {
+    RoundedForms<1> numerator = constant(2, 1, 0), denominator = constant(2, 1, 0);
+    numerator.at(0, 1) = -2;
+    denominator.at(0, 1) = 2 * middle;
+    denominator.close(0.5);
+    return RoundedQuotient(numerator, denominator).upper();
+  };
+  EXPECT_EQ(over(0.25).nominal, 1);
+  EXPECT_EQ(over(0).nominal, detail::infinity);
+  EXPECT_EQ(over(-0.25).nominal, detail::infinity);
+  for (const double middle : {0.25, 0.0, -0.25}) EXPECT_EQ(over(middle).value, detail::infinity);
+}
+
 /// A subdivision makes `degree` half sums one upon the other, each off by 2^-53.
 TEST(RoundedQuotient, CountsTheErrorsOfSubdivision) {
   constexpr int degree = 20, levels = 40;

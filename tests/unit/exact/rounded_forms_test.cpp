@@ -24,6 +24,15 @@ RoundedForms<3> random_forms(int degree, std::mt19937_64& rng) {
   return x;
 }
 
+TEST(RoundedForms, AreZeroExactlyAtFirst) {
+  const RoundedForms<2> x(3);
+  EXPECT_EQ(x.radius(), 0);
+  EXPECT_EQ(x.norm(), 0);
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i <= 3; ++i) EXPECT_EQ(x.at(j, i), 0);
+  }
+}
+
 template <int K>
 BinaryForm<Q> exact(const RoundedForms<K>& x, int j) {
   BinaryForm<Q> f(x.degree());

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <tuple>
 
 #include "torse/developable/linear_net.hpp"
 #include "torse/developable/warp.hpp"
@@ -64,16 +65,17 @@ TEST(RoundedNet, NumbersAreWithinTheirErrors) {
   }
 }
 
-/// Homogeneous rows beginning at the origin; the coordinates are scaled by a power of two. Weights or coordinates alone
-/// are no doubles.
+/// Homogeneous rows beginning at the origin; the coordinates are scaled by a power of two to the size of the weights.
+/// Weights or coordinates alone are no doubles.
 TEST(RoundedNet, WeightsAndCoordinatesAreWithinTheirErrors) {
   std::mt19937_64 rng(2);
-  for (const auto& [dyadic_weights, dyadic_points] : {std::pair{false, true}, {true, false}, {false, false}}) {
+  for (const auto& [dyadic_weights, dyadic_points, heavy] :
+       {std::tuple{false, true, 1}, {true, false, 1}, {false, false, 1}, {false, false, 1 << 14}}) {
     const KnotList<Q> u = bezier_knots<Q>(3);
     Row4 p, q;
     for (int i = 0; i <= 3; ++i) {
       for (Row4* row : {&p, &q}) {
-        Vec<Q, 4> x(magnitude(number(rng, dyadic_weights)) + Q(1), Q(0), Q(0), Q(0));
+        Vec<Q, 4> x(Q(heavy) * (magnitude(number(rng, dyadic_weights)) + Q(1)), Q(0), Q(0), Q(0));
         for (int j = 1; j < 4 && !(row == &p && i == 0); ++j) x[j] = Q(1000) * number(rng, dyadic_points) + Q(1);
         row->push_back(x);
       }
@@ -82,14 +84,21 @@ TEST(RoundedNet, WeightsAndCoordinatesAreWithinTheirErrors) {
     ASSERT_TRUE(net.has_value());
     const Q scale = exact(std::exp2(std::round(std::log2((exact(net->c[1][1]) / p[1][1]).to_double()))));
     EXPECT_GT(net->coordinate_error, 0);
-    EXPECT_LE(net->coordinate_error, 0x1p-44);
+    EXPECT_LE(net->coordinate_error, 0x1p-44 * heavy);
+    double weight = 0, coordinate = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
+      for (const Vec<double, 4>& x : {net->c[i], net->d[i]}) {
+        weight = std::max(weight, x[0]);
+        coordinate = std::max(coordinate, x.tail<3>().lpNorm<Eigen::Infinity>());
+      }
       for (int j = 0; j < 4; ++j) {
         const Q factor = j == 0 ? Q(1) : scale;
         EXPECT_LE(magnitude(exact(net->c[i][j]) - factor * p[i][j]), exact(net->coordinate_error));
         EXPECT_LE(magnitude(exact(net->d[i][j]) - factor * q[i][j]), exact(net->coordinate_error));
       }
     }
+    EXPECT_GE(coordinate, weight);
+    EXPECT_LT(coordinate, 2 * weight);
   }
 }
 

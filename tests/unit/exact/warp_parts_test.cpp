@@ -115,6 +115,30 @@ TEST(Search, TheBudgetsEndCountsWhatWasNotLookedAt) {
   EXPECT_TRUE(search(pieces, WarpGoal{}, 1, record).empty());
   EXPECT_FALSE(record.complete);
   EXPECT_GE(record.upper, 0.45);
+  EXPECT_LT(record.upper, 1);
+  // No sine is larger than 1, whatever the bound.
+  std::vector<WarpPiece<Quotient>> steep{{1, quotient({Q(0), Q(4) * tenth, Q(0)})}, {2, quotient({Q(0), Q(5), Q(0)})}};
+  WarpRecord of_steep;
+  EXPECT_TRUE(search(steep, WarpGoal{}, 1, of_steep).empty());
+  EXPECT_EQ(of_steep.upper, 1);
+}
+
+TEST(CommonFactor, OfConstantVectors) {
+  const auto form = [](std::vector<Q> a) { return BinaryForm<Q>(std::move(a)); };
+  const VectorWithZeros constant = without_common_zeros({form({Q(2)}), form({Q(0)}), form({Q(-6)})});
+  EXPECT_TRUE(constant.zeros.empty());
+  const VectorWithZeros twice = without_common_zeros(
+      {form({Q(2), Q(0), Q(0)}), form({Q(0), Q(0), Q(0)}), form({Q(-6), Q(0), Q(0)})});  // s^2 (2, 0, -6)
+  ASSERT_EQ(twice.zeros.size(), 1U);
+  EXPECT_EQ(twice.zeros[0].lower, Q(1));
+  EXPECT_EQ(twice.zeros[0].upper, Q(1));
+  for (const VectorWithZeros* x : {&constant, &twice}) {
+    for (const BinaryForm<Q>& f : x->direction) EXPECT_EQ(f.degree(), 0);
+    EXPECT_EQ(x->direction[2][0], Q(-3) * x->direction[0][0]);
+    EXPECT_EQ(x->direction[1][0], Q(0));
+    EXPECT_GT(x->direction[0][0], Q(0));
+  }
+  EXPECT_THROW(without_common_zeros({form({Q(0)}), form({Q(0)}), form({Q(0)})}), InvalidInput);
 }
 
 /// (t, 0, 0) and (t, 1, t/2) over [0, 1]: tan = 1/2 at t = 0. sin^2 = 1/5 and those of the limits are between the same

@@ -73,12 +73,24 @@ TEST(KnotList, RejectsBadListsAndNamesThePlace) {
 }
 
 TEST(KnotList, TellsWhichKnotsAreOutOfOrder) {
-  try {
-    knots(2, {0, 2, 1, 3});
-    FAIL();
-  } catch (const InvalidInput& error) {
-    EXPECT_NE(std::string(error.what()).find("found 1 after 2"), std::string::npos) << error.what();
-  }
+  const auto told = [](auto&& make) {
+    try {
+      make();
+    } catch (const InvalidInput& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string rule = "expected a non-decreasing list, found ";
+  EXPECT_EQ(told([] { knots(2, {0, 2, 1, 3}); }), "knots[2]: " + rule + "1 after 2");
+  EXPECT_EQ(told([] {
+              KnotList<Q>::from_list(2, 2, {Q(5), Q(0), Q(1), Q(2), Q(3), Q(4)});
+            }),
+            "knots[1]: " + rule + "0 after 5");
+  EXPECT_EQ(told([] {
+              KnotList<Q>::from_list(2, 2, {Q(0), Q(0), Q(1), Q(2), Q(3), Q(1)});
+            }),
+            "knots[5]: " + rule + "1 after 3");
 }
 
 }  // namespace
