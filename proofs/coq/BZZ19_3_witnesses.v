@@ -17,8 +17,8 @@ Variable F : numFieldType.
 Definition crossing_tau : {poly F} := 3%:R%:P * 'X - (3%:R / 2%:R)%:P.
 Definition crossing_x : {poly F} := crossing_tau ^+ 2 - 1.
 Definition crossing_y : {poly F} := crossing_tau * crossing_x.
-Definition crossing h : 'rV[{poly F}]_3 := space crossing_x crossing_y ((4%:R^-1)%:P * (crossing_tau + 1) + h%:P).
-Definition cubic : 'rV[{poly F}]_3 := space ('X + 2%:R%:P) (('X + 2%:R%:P) ^+ 2) (('X + 2%:R%:P) ^+ 3).
+Definition crossing h : 'rV[{poly F}]_3 := vec crossing_x crossing_y ((4%:R^-1)%:P * (crossing_tau + 1) + h%:P).
+Definition cubic : 'rV[{poly F}]_3 := vec ('X + 2%:R%:P) (('X + 2%:R%:P) ^+ 2) (('X + 2%:R%:P) ^+ 3).
 
 Let after_X (c : 'rV[{poly F}]_3) : after c 'X = c.
 Proof. by apply/rowP=> k; rewrite mxE comp_polyXr. Qed.
@@ -37,12 +37,12 @@ Theorem BZZ19_5_witnesses_crossing (C1 := crossing 0) (C2 := crossing 1) :
     & ruled_surface C1 C2 'X (1 / 2%:R) (1 / 6%:R) = ruled_surface C1 C2 'X 0 (5%:R / 6%:R)].
 Proof.
 rewrite /C1 /C2 after_X; split.
-- rewrite /developable (_ : crossing 1 - crossing 0 = space 0 0 1); last first.
+- rewrite /developable (_ : crossing 1 - crossing 0 = vec 0 0 1); last first.
     apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= ?subrr //.
     by rewrite polyC0 polyC1 addr0 addrC addKr.
-  by rewrite /crossing !pderiv_space tripleE !spaceE !derivD !derivC; ring.
-- by move=> t; rewrite /crossing pderiv_space ev_space spaceE polyC0 addr0 derivM [(crossing_tau + 1)^`()]derivD slope_tau !derivC mul0r add0r addr0 !hornerE mulrC.
-rewrite /ruled_surface !after_X /crossing !ev_space /crossing_y /crossing_x; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE ?tau_at /=; field; rewrite ?pnatr_eq0 //.
+  by rewrite /crossing !pderiv_vec tripleE !vec_xyz !derivD !derivC; ring.
+- by move=> t; rewrite /crossing pderiv_vec ev_vec vec_xyz polyC0 addr0 derivM [(crossing_tau + 1)^`()]derivD slope_tau !derivC mul0r add0r addr0 !hornerE mulrC.
+rewrite /ruled_surface !after_X /crossing !ev_vec /crossing_y /crossing_x; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE ?tau_at /=; field; rewrite ?pnatr_eq0 //.
 Qed.
 
 (** BZZ19.5.witnesses regression: (b) $C_1=r+r'$, $C_2=r-r'$ for $r=(\tau,\tau^2,\tau^3)$, $\tau=2+t$, and $\sigma(t)=t$: exactly developable, and
@@ -56,11 +56,11 @@ rewrite after_X; have [dp dm] : pderiv C1 = pderiv cubic + pderiv (pderiv cubic)
 have n2 : 2%:R != 0 :> F by rewrite pnatr_eq0.
 split=> [|t].
   rewrite /developable dp dm /C1 /C2; move: (pderiv (pderiv cubic)) (pderiv cubic) cubic => a b c.
-  by coordinates; ring.
-rewrite dp dm /C1 /C2; move: (pderiv (pderiv cubic)) (pderiv cubic) cubic => a b c.
+  by coordinates; hide_entries; ring.
 have evD p q : ev (p + q) t = ev p t + ev q t :> 'rV[F]_3 by apply/rowP=> k; rewrite !mxE hornerD.
 have evN p : ev (- p) t = - ev p t :> 'rV[F]_3 by apply/rowP=> k; rewrite !mxE hornerN.
-rewrite !evD !evN; move: (ev a t) (ev b t) (ev c t) => A B C.
-by apply: row3P; coordinates; hide_entries; field.
+rewrite dp dm /C1 /C2 !evD !evN (_ : _ *: _ + _ *: _ = ev (pderiv cubic) t); last first.
+  by move: (ev _ t) (ev _ t) => A B; apply/rowP=> k; rewrite !mxE; move: (A 0 k) (B 0 k) => x y; field.
+by move: (ev _ t) (ev _ t) => A B; apply: row3P; coordinates; hide_entries; ring.
 Qed.
 End Witnesses.

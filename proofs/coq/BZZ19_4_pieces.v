@@ -48,7 +48,7 @@ by congr blossom; rewrite /ends map_cat !map_nseq /= /at_.
 Qed.
 
 (** BZZ19.12 parameter: $\hat\sigma(\frac{t-a}{b-a})=\sigma(t)$.
-    Hypotheses: $a\ne b$. *)
+    Hypotheses: $a\ne b$, so that the quotient has a meaning. *)
 Theorem BZZ19_12_parameter sigma a b t : b - a != 0 -> (sigma \Po line a b).[(t - a) / (b - a)] = sigma.[t].
 Proof. by move=> nz; rewrite horner_comp line_at mulrC divfK // addrC subrK. Qed.
 
@@ -87,7 +87,7 @@ Definition joined D x i : F := x (i %/ D)%N.
 
 (** BZZ19.16 joined: pieces of degree $D$ whose ends meet, $P^{j}_D=P^{j+1}_0$, are one spline with the points $P_{jD+i}=P^j_i$ over the knots
     $x_0,x_1,\dots$, each $D$ times: on $[x_j,x_{j+1}]$ it is the Bezier curve of $P^j_0,\dots,P^j_D$.
-    Hypotheses: $x_j\ne x_{j+1}$, $D\ge1$. *)
+    Hypotheses: $x_j\ne x_{j+1}$, so that its points have a meaning; $D\ge1$. *)
 Theorem BZZ19_16_joined D x c j (u := joined D.+1 x) : x j.+1 - x j != 0 ->
   (curve D.+1 (drop_ (j * D.+1) u) (drop_ (j * D.+1) c)) \Po line (x j) (x j.+1) = bez D.+1 (drop_ (j * D.+1) c).
 Proof.

@@ -21,16 +21,16 @@ Definition normal a b w v := cross ((1 - v) *: a + v *: b) w.
 Theorem FJ07_1_curvature a b w e f v :
   dot ((1 - v) *: e + v *: f) (normal a b w v) * dot 0 (normal a b w v) - dot (b - a) (normal a b w v) ^+ 2
     = - triple b a w ^+ 2.
-Proof. by rewrite /normal; coordinates; ring. Qed.
+Proof. by rewrite /normal; coordinates; hide_entries; ring. Qed.
 
 (** FJ07.2 ruling: $[b_{uv},b_u,b_v](u,v)=[d',c',d-c]$ whatever $v$ is. *)
 Theorem FJ07_2_ruling a b w v : triple (b - a) ((1 - v) *: a + v *: b) w = triple b a w.
-Proof. by rewrite /normal; coordinates; ring. Qed.
+Proof. by rewrite /normal; coordinates; hide_entries; ring. Qed.
 
 (** FJ07.3 normals: along a ruling $n(v)\times n(v')=(v-v')\,[d',c',d-c]\,(d-c)$: the tangent plane is constant iff (3).
     Paper: where $d=c$ the ruling has no direction, and this says nothing. *)
 Theorem FJ07_3_normals a b w v v' : cross (normal a b w v) (normal a b w v') = ((v - v') * triple b a w) *: w.
-Proof. by apply: row3P; rewrite /normal; coordinates; ring. Qed.
+Proof. by apply: row3P; rewrite /normal; coordinates; hide_entries; ring. Qed.
 End Vectors.
 
 Section Surfaces.

@@ -82,4 +82,13 @@ rewrite -[in RHS]eab -addnS knots_cat knotsS; congr (_ ++ _ :: _).
 - by rewrite /drop_ /u' /insert_knot ifF ?ifT //; lia.
 - by apply: knots_ext => h lt_h; rewrite /drop_ /u' /insert_knot ifF ?ifF; [congr u; lia | lia | lia].
 Qed.
+(** blossoms boehm_needs_place: with $x$ inserted among the first knots, $p=1<n=2$, the first point of the new list is $c[x,u_1]$ where it should be $c[u_0,x]$.
+    Hypotheses: the knots carry both pieces, so that their points have a meaning. *)
+Theorem blossoms_boehm_needs_place x u c : span 2 u -> span 2 (insert_knot 1 x u) ->
+  blossom (insert_knot 1 x u) (insert_point 2 1 x u c) [:: at_ (u 0%N); at_ x] = blossom u c [:: at_ x; at_ (u 1%N)].
+Proof.
+move=> sp sp'; have u21 : u 2%N - u 1%N \is a GRing.unit by exact: sp.
+rewrite (blossoms_knots (insert_point 2 1 x u c) sp' (leq0n 2)) /insert_point /= [RHS]/step /shift /at_ /= !mul1r subrr mul0r addr0.
+by rewrite [RHS]mulrAC mulrV // mul1r.
+Qed.
 End Insertion.

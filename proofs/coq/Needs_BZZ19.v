@@ -100,21 +100,21 @@ Qed.
 
 Definition loop_x : {poly F} := ('X - 1) * ('X - 3%:R%:P).
 Definition loop_y : {poly F} := loop_x * ('X - 2%:R%:P).
-Definition loop h : 'rV[{poly F}]_3 := space loop_x loop_y ('X + h%:P).
+Definition loop h : 'rV[{poly F}]_3 := vec loop_x loop_y ('X + h%:P).
 
 Lemma loop_developable : developable (loop 0) (loop 4%:R).
 Proof.
-have -> : developable (loop 0) (loop 4%:R) = (triple (pderiv (loop 4%:R)) (pderiv (loop 0)) (space 0 0 4%:R%:P) = 0).
+have -> : developable (loop 0) (loop 4%:R) = (triple (pderiv (loop 4%:R)) (pderiv (loop 0)) (vec 0 0 4%:R%:P) = 0).
   rewrite /developable /loop; congr (triple _ _ _ = 0); apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= ?subrr //.
   by rewrite polyC0 addr0 addrC addKr.
-by rewrite /loop !pderiv_space tripleE !spaceE !derivD !derivC !derivX; ring.
+by rewrite /loop !pderiv_vec tripleE !vec_xyz !derivD !derivC !derivX; ring.
 Qed.
 
-Lemma loop_meets s : ruled_surface (loop 0) (loop 4%:R) 'X s 1 = space 0 0 (1 + 4%:R * s) /\
-  ruled_surface (loop 0) (loop 4%:R) 'X s 3%:R = space 0 0 (3%:R + 4%:R * s).
+Lemma loop_meets s : ruled_surface (loop 0) (loop 4%:R) 'X s 1 = vec 0 0 (1 + 4%:R * s) /\
+  ruled_surface (loop 0) (loop 4%:R) 'X s 3%:R = vec 0 0 (3%:R + 4%:R * s).
 Proof.
-have at_t t h : loop_x.[t] = 0 -> ev (loop h) t = space 0 0 (t + h).
-  by move=> x0; rewrite /loop ev_space x0 /loop_y hornerM x0 mul0r hornerD hornerX hornerC.
+have at_t t h : loop_x.[t] = 0 -> ev (loop h) t = vec 0 0 (t + h).
+  by move=> x0; rewrite /loop ev_vec x0 /loop_y hornerM x0 mul0r hornerD hornerX hornerC.
 have id_ h : after (loop h) 'X = loop h by apply/rowP=> k; rewrite !mxE comp_polyXr.
 have [x1 x3] : loop_x.[1] = 0 /\ loop_x.[3%:R] = 0 by rewrite /loop_x; split; rewrite !hornerE ?subrr ?mul0r ?mulr0.
 rewrite /ruled_surface !id_ !at_t //.
@@ -140,7 +140,7 @@ have -> : sigma = 'X.
   by rewrite -natrX mulrK // poly_unitE size_polyC coefC /= unitfE (_ : (2 ^ 2)%:R = 4%:R) ?n4.
 have id_ (h : F) : after (loop h) 'X = loop h by apply/rowP=> k; rewrite !mxE comp_polyXr.
 rewrite /C1 /C2 id_; split=> //; first exact: loop_developable.
-  by move=> t; rewrite /loop pderiv_space ev_space spaceE derivD derivX derivC addr0 hornerC.
-rewrite (loop_meets _).1 (loop_meets _).2; congr (space _ _ _); by field.
+  by move=> t; rewrite /loop pderiv_vec ev_vec vec_xyz derivD derivX derivC addr0 hornerC.
+rewrite (loop_meets _).1 (loop_meets _).2; congr (vec _ _ _); by field.
 Qed.
 End Order.

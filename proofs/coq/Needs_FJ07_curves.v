@@ -1,6 +1,5 @@
 (* FJ07: what happens without the hypotheses of the theorems on curves and surfaces, one counterexample each.
    Definitions:
-     space x y z      a point of space, or a curve of polynomials
      bent_c, bent_d   two rows over the knots `bent`
      tangent_side x   the row 3 r + (x - t) r' of the tangent surface of r = (t, t^2, t^3), of degree 2 *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
@@ -13,10 +12,9 @@ Local Open Scope ring_scope.
 
 Section Space.
 Variable R : comUnitRingType.
-Definition space (x y z : R) : 'rV[R]_3 := \row_k nth 0 [:: x; y; z] k.
 
-Lemma spaceE x y z : (x_ (space x y z) = x) * (y_ (space x y z) = y) * (z_ (space x y z) = z).
-Proof. by rewrite /x_ /y_ /z_ /space !mxE. Qed.
+Lemma vec_xyz (x y z : R) : (x_ (vec x y z) = x) * (y_ (vec x y z) = y) * (z_ (vec x y z) = z).
+Proof. by rewrite /x_ /y_ /z_ /vec !mxE. Qed.
 
 Lemma crossE (a b : 'rV[R]_3) : (x_ (cross a b) = y_ a * z_ b - z_ a * y_ b) *
   (y_ (cross a b) = z_ a * x_ b - x_ a * z_ b) * (z_ (cross a b) = x_ a * y_ b - y_ a * x_ b).
@@ -27,18 +25,18 @@ Section Curves.
 Variable F : fieldType.
 Implicit Types (c d : 'rV[{poly F}]_3) (t : F).
 
-Lemma ev_space (p q r : {poly F}) t : ev (space p q r) t = space p.[t] q.[t] r.[t].
+Lemma ev_vec (p q r : {poly F}) t : ev (vec p q r) t = vec p.[t] q.[t] r.[t].
 Proof. by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE. Qed.
 
-Lemma pderiv_space (p q r : {poly F}) : pderiv (space p q r) = space p^`() q^`() r^`().
+Lemma pderiv_vec (p q r : {poly F}) : pderiv (vec p q r) = vec p^`() q^`() r^`().
 Proof. by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE. Qed.
 End Curves.
 
 Section Bent.
 Variable F : fieldType.
 Notation bent := (bent F).
-Definition bent_c i : 'rV[F]_3 := nth 0 [:: 0; space 0 1 0; space 1 0 0] i.
-Definition bent_d i : 'rV[F]_3 := nth 0 [:: 0; space 1 0 0; space 0 0 1] i.
+Definition bent_c i : 'rV[F]_3 := nth 0 [:: 0; vec 0 1 0; vec 1 0 0] i.
+Definition bent_d i : 'rV[F]_3 := nth 0 [:: 0; vec 1 0 0; vec 0 0 1] i.
 
 Lemma bent_related : related bent 2 0 1 bent_c bent_d.
 Proof.
@@ -66,7 +64,7 @@ Section Failures.
 Variable F : fieldType.
 
 Let rows_at0 (C := pcurve 2 (bent F) (bent_c F)) (D := pcurve 2 (bent F) (bent_d F)) :
-  [/\ ev (D - C) 0 = space (-1) 0 1, ev (pderiv C) 0 = space (-1 - 1) 1 0 & ev (pderiv D) 0 = space 1 0 (-1 - 1)].
+  [/\ ev (D - C) 0 = vec (-1) 0 1, ev (pderiv C) 0 = vec (-1 - 1) 1 0 & ev (pderiv D) 0 = vec 1 0 (-1 - 1)].
 Proof.
 rewrite /C /D !bent_pcurve; split; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= ?derivM ?derivB ?derivD ?derivM ?derivX ?derivC;
   by rewrite ?derivB ?derivC ?derivX !hornerE /=; ring.
@@ -78,11 +76,11 @@ Theorem FJ07_3_needs_span (C := pcurve 2 (bent F) (bent_c F)) (D := pcurve 2 (be
     <> (2 ^ 2)%:R * triple (pvelocity 2 (bent F) (bent_d F)) (pvelocity 2 (bent F) (bent_c F)) (D - C).
 Proof.
 move/(congr1 (fun p => p.[0])); rewrite hornerM !triple_at0; case: rows_at0 => -> -> ->.
-have -> : ev (pvelocity 2 (bent F) (bent_c F)) 0 = space (-1) 1 0.
+have -> : ev (pvelocity 2 (bent F) (bent_c F)) 0 = vec (-1) 1 0.
   by rewrite bent_pvelocity; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE /=; ring.
-have -> : ev (pvelocity 2 (bent F) (bent_d F)) 0 = space 1 0 (-1).
+have -> : ev (pvelocity 2 (bent F) (bent_d F)) 0 = vec 1 0 (-1).
   by rewrite bent_pvelocity; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE /=; ring.
-rewrite !tripleE !spaceE => /eqP; rewrite -subr_eq0 (_ : _ - _ = -1) ?oppr_eq0 ?oner_eq0 //.
+rewrite !tripleE !vec_xyz => /eqP; rewrite -subr_eq0 (_ : _ - _ = -1) ?oppr_eq0 ?oner_eq0 //.
 by move: _.[0] => x; ring.
 Qed.
 
@@ -91,7 +89,7 @@ Theorem FJ07_T1_developable_needs_span :
   related (bent F) 2 0 1 (bent_c F) (bent_d F) /\ ~ developable (pcurve 2 (bent F) (bent_c F)) (pcurve 2 (bent F) (bent_d F)).
 Proof.
 split; first exact: bent_related.
-move/(congr1 (fun p => p.[0])); rewrite triple_at0; case: rows_at0 => -> -> ->; rewrite horner0 tripleE !spaceE => /eqP.
+move/(congr1 (fun p => p.[0])); rewrite triple_at0; case: rows_at0 => -> -> ->; rewrite horner0 tripleE !vec_xyz => /eqP.
 by rewrite (_ : _ + _ = -1) ?oppr_eq0 ?oner_eq0 //; ring.
 Qed.
 End Failures.
@@ -100,40 +98,48 @@ Section Singular.
 Variable F : fieldType.
 Implicit Types (t v L M : F).
 
-Let related_space n p q r p' q' r' t L M (x := (L - t) / n%:R) (y := (M - t) / n%:R) :
+Let related_vec n p q r p' q' r' t L M (x := (L - t) / n%:R) (y := (M - t) / n%:R) :
   p.[t] + x * p^`().[t] = p'.[t] + y * p'^`().[t] -> q.[t] + x * q^`().[t] = q'.[t] + y * q'^`().[t] ->
-  r.[t] + x * r^`().[t] = r'.[t] + y * r'^`().[t] -> related_at n (space p q r) (space p' q' r') t L M 1.
+  r.[t] + x * r^`().[t] = r'.[t] + y * r'^`().[t] -> related_at n (vec p q r) (vec p' q' r') t L M 1.
 Proof.
-move=> e0 e1 e2; rewrite /related_at /tangent scale1r !pderiv_space !ev_space.
+move=> e0 e1 e2; rewrite /related_at /tangent scale1r !pderiv_vec !ev_vec.
 by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /=.
 Qed.
 
-Lemma cusp_singular (c := space 'X^2 'X^3 0) (d := space 'X^2 'X^3 (('X + 1) ^+ 3)) : 3%:R != 0 :> F ->
+Lemma cusp_singular (c := vec 'X^2 'X^3 0) (d := vec 'X^2 'X^3 (('X + 1) ^+ 3)) : 3%:R != 0 :> F ->
   (forall t, related_at 3 c d t (-1) (-1) 1) /\
   forall v, cross ((1 - v) *: ev (pderiv c) 0 + v *: ev (pderiv d) 0) (ev d 0 - ev c 0) = 0.
 Proof.
 rewrite /c /d => n3; split=> [t|v].
-  apply: related_space => //; rewrite deriv_exp derivD derivX !derivC addr0 mul1r !hornerE /=.
+  apply: related_vec => //; rewrite deriv_exp derivD derivX !derivC addr0 mul1r !hornerE /=.
   by field.
 have d0 k : ('X^k.+2)^`().[0] = 0 :> F by rewrite derivXn hornerMn hornerXn exprS mul0r mul0rn.
-by rewrite !pderiv_space !ev_space; apply: row3P; rewrite !crossE; coordinates; rewrite !d0; ring.
+by rewrite !pderiv_vec !ev_vec; apply: row3P; rewrite !crossE; coordinates; rewrite !d0; ring.
 Qed.
 
 Definition tangent_side x : 'rV[{poly F}]_3 :=
-  space (x%:P + 2%:R%:P * 'X) ((2%:R * x)%:P * 'X + 'X^2) ((3%:R * x)%:P * 'X^2).
+  vec (x%:P + 2%:R%:P * 'X) ((2%:R * x)%:P * 'X + 'X^2) ((3%:R * x)%:P * 'X^2).
+
+Lemma tangent_side_at x t : ev (tangent_side x) t = vec (x + 2%:R * t) (2%:R * x * t + t ^+ 2) (3%:R * x * t ^+ 2) /\
+  ev (pderiv (tangent_side x)) t = vec 2%:R (2%:R * x + t *+ 2) (3%:R * x * (t *+ 2)).
+Proof.
+rewrite /tangent_side pderiv_vec !ev_vec !(derivD, derivM, derivC, derivX, derivXn) !(mul0r, add0r, mulr1).
+by rewrite !(hornerD, hornerM, hornerC, hornerX) mul1r mulr2n expr2.
+Qed.
 
 Lemma tangent_sides t L M : 2%:R != 0 :> F -> related_at 2 (tangent_side M) (tangent_side L) t L M 1.
 Proof.
-by move=> n2; apply: related_space; rewrite !(derivD, derivM, derivC, derivX, derivXn) !hornerE /=; field.
+move=> n2; rewrite /related_at /tangent scale1r !(tangent_side_at _ _).1 !(tangent_side_at _ _).2.
+by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /=; field.
 Qed.
 
 (* The normal at (0, v) of the surface between the rows for x and y. *)
 Lemma tangent_normal x y v (c := tangent_side x) (d := tangent_side y) :
   cross ((1 - v) *: ev (pderiv c) 0 + v *: ev (pderiv d) 0) (ev d 0 - ev c 0)
-    = space 0 0 (2%:R * (x - y) * ((1 - v) * x + v * y)).
+    = vec 0 0 (2%:R * (x - y) * ((1 - v) * x + v * y)).
 Proof.
-rewrite /c /d /tangent_side !pderiv_space !ev_space !(derivD, derivM, derivC, derivX, derivXn) !hornerE /=.
-by apply: row3P; rewrite !crossE !spaceE; coordinates; ring.
+rewrite /c /d !(tangent_side_at _ _).1 !(tangent_side_at _ _).2 mul0rn expr0n !mulr0 !addr0.
+by apply: row3P; rewrite !crossE !vec_xyz; coordinates; ring.
 Qed.
 
 Lemma tangent_normal0 x y (c := tangent_side x) (d := tangent_side y) : 2%:R != 0 :> F -> x != 0 -> x != y ->
@@ -142,7 +148,7 @@ Proof.
 move=> n2 x0 xy; have -> : ev (pderiv c) 0 = (1 - 0) *: ev (pderiv c) 0 + 0 *: ev (pderiv d) 0.
   by rewrite subr0 scale1r scale0r addr0.
 rewrite tangent_normal subr0 mul1r mul0r addr0.
-apply/eqP=> /(congr1 (@z_ _)); rewrite spaceE /z_ mxE => /eqP.
+apply/eqP=> /(congr1 (@z_ _)); rewrite vec_xyz /z_ mxE => /eqP.
 by rewrite !mulf_eq0 (negPf n2) (negPf x0) subr_eq0 (negPf xy).
 Qed.
 End Singular.
@@ -154,7 +160,7 @@ Implicit Types (t v L M : F).
 (** FJ07.C3 needs_transversal: $\Lambda^{*}=M^{*}=-1$, so that $\Lambda,M<0$ on the piece $[0,1]$: the cylinder with rulings $(0,0,(t+1)^3)$
     over $c=(t^2,t^3,0)$ is singular along the whole ruling of the cusp $t=0$.
     Paper: Corollary 3 as printed says that it is not. *)
-Theorem FJ07_C3_needs_transversal (c := space 'X^2 'X^3 0 : 'rV[{poly F}]_3) (d := space 'X^2 'X^3 (('X + 1) ^+ 3)) :
+Theorem FJ07_C3_needs_transversal (c := vec 'X^2 'X^3 0 : 'rV[{poly F}]_3) (d := vec 'X^2 'X^3 (('X + 1) ^+ 3)) :
   (forall t, related_at 3 c d t (-1) (-1) 1) /\
   forall v, cross ((1 - v) *: ev (pderiv c) 0 + v *: ev (pderiv d) 0) (ev d 0 - ev c 0) = 0.
 Proof. by apply: cusp_singular; rewrite pnatr_eq0. Qed.

@@ -155,7 +155,7 @@ Theorem FJ07_20_odd_needs_closed (c : nat -> 'rV[rat]_3) v w : triple (c 1%N - c
   triple (c 3%N - c 2%N) v w = 0 -> triple (c 4%N - c 3%N) v w = - 2%:R -> forall M, ~~ root (branches (step01 _ 4) 4 c 3 v w) M.
 Proof.
 move=> e0 e1 e2 e3 M; apply/negP; rewrite branches_sum /factor /index_iota /= !big_cons !big_nil e0 e1 e2 e3 !scale0r !add0r !addr0 scale1r.
-rewrite /step01 /= rootE !hornerE /= => /eqP e.
+rewrite /step01 /= rootE !(hornerD, hornerN, hornerZ, hornerM, hornerX, hornerC) => /eqP e.
 have {e} e : (M - 1) ^+ 3 = 2%:R * M ^+ 3 by apply/eqP; rewrite -subr_eq0 -e; apply/eqP; ring.
 have M0 : M != 0 by apply/eqP=> z; move/eqP: e; rewrite z expr0n mulr0 sub0r expf_eq0 oppr_eq0 oner_eq0 andbF.
 have := @no_root 3 ((M - 1) / M) isT; by rewrite exprMn e exprVn mulfK ?eqxx // expf_neq0.

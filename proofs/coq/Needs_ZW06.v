@@ -37,22 +37,22 @@ Qed.
 
 (** ZW06.15 needs_off: where $a(u)=b'(u)$ the tangent of $a_1$ vanishes: no multiple of it is a ruling that is not 0. *)
 Theorem ZW06_15_needs_off p w a b u : pderiv p = a *: w + b *: pderiv w -> a.[u] = b^`().[u] ->
-  ev (pderiv (edge p w b)) u = 0.
+  ev (pderiv (regression p w b)) u = 0.
 Proof.
-move=> /ZW06_9_derivative; rewrite -/(edge p w b) => -> e.
+move=> /ZW06_9_derivative; rewrite -/(regression p w b) => -> e.
 by apply/rowP=> k; rewrite !mxE hornerM hornerD hornerN e subrr mul0r.
 Qed.
 
 (** ZW06.10 needs_characteristic: where $n=0$ in the field ($n\ge1$), $a(u)=(u^n,0,0)$ and $\tau=(0,1,0)$ have $a'=0=b'$ with $a=b=0$, and
     $a_1=a(u)$ is no point. *)
-Theorem ZW06_10_needs_characteristic n (p := space 'X^n 0 0 : 'rV[{poly F}]_3) (w := space 0 1 0 : 'rV[{poly F}]_3) :
+Theorem ZW06_10_needs_characteristic n (p := vec 'X^n 0 0 : 'rV[{poly F}]_3) (w := vec 0 1 0 : 'rV[{poly F}]_3) :
   n%:R = 0 :> F -> (0 < n)%N ->
   pderiv p = 0 *: w + 0 *: pderiv w /\ ~ exists e : 'rV[F]_3, forall u v, ev p u + v *: ev w u = e + (v + (0 : {poly F}).[u]) *: ev w u.
 Proof.
 move=> n0 n1; split.
-  rewrite !scale0r addr0 /p pderiv_space derivXn -mulr_natl -polyC_nat n0 polyC0 mul0r linear0.
+  rewrite !scale0r addr0 /p pderiv_vec derivXn -mulr_natl -polyC_nat n0 polyC0 mul0r linear0.
   by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE.
-case=> e h; have := h 0 0; have := h 1 0; rewrite !horner0 !addr0 !scale0r !addr0 /p !ev_space !hornerXn => <-.
+case=> e h; have := h 0 0; have := h 1 0; rewrite !horner0 !addr0 !scale0r !addr0 /p !ev_vec !hornerXn => <-.
 move/(congr1 (fun r : 'rV_3 => r 0 0)); rewrite !mxE /= expr1n expr0n; case: (n) n1 => // k _ /eqP.
 by rewrite eq_sym oner_eq0.
 Qed.

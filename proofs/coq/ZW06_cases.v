@@ -1,6 +1,6 @@
 (* ZW06: the three types of developable surfaces a(u) + v tau(u): cylinders, cones, tangent surfaces; equations (6) to (15).
    Definitions:
-     edge p w b     the curve a_1 = a(u) - b(u) tau(u) of equation (8) *)
+     regression p w b     the curve a_1 = a(u) - b(u) tau(u) of equation (8) *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves Points Dependence Bernstein Bezier BZZ19_4 FJ21_4 ZW06.
 Set Implicit Arguments.
@@ -135,26 +135,26 @@ apply/triple_dependent; exists A, (- B), (- C); split; first by apply: contraNne
 by rewrite e !scaleNr -addrA -opprD subrr.
 Qed.
 
-Definition edge p w b := p - b *: w.
+Definition regression p w b := p - b *: w.
 
 (** ZW06.7 shift: $a(u)+v\tau=a_1(u)+(v+b)\tau$ with $a_1=a(u)-b\tau$. *)
-Theorem ZW06_7_shift p w b v : p + v%:P *: w = edge p w b + (v%:P + b) *: w.
-Proof. by rewrite /edge scalerDl addrACA addNr addr0. Qed.
+Theorem ZW06_7_shift p w b v : p + v%:P *: w = regression p w b + (v%:P + b) *: w.
+Proof. by rewrite /regression scalerDl addrACA addNr addr0. Qed.
 
-Lemma ev_edge p w b u : ev (edge p w b) u = ev p u - b.[u] *: ev w u.
+Lemma ev_regression p w b u : ev (regression p w b) u = ev p u - b.[u] *: ev w u.
 Proof. by apply/rowP=> k; rewrite !mxE hornerD hornerN hornerM. Qed.
 
 (** ZW06.8 singular: for $a'=a\tau+b\tau'$ the point $a_1(u)$ is the one singular point of the ruling, at $v=-b(u)$.
     Hypotheses: $\tau(u)\times\tau'(u)\ne0$, so that the ruling turns. *)
 Theorem ZW06_8_singular p w a b u v : pderiv p = a *: w + b *: pderiv w ->
   cross (ev (pderiv w) u) (ev w u) != 0 ->
-  cross (ev (pderiv p) u + v *: ev (pderiv w) u) (ev w u) = 0 <-> ev p u + v *: ev w u = ev (edge p w b) u.
+  cross (ev (pderiv p) u + v *: ev (pderiv w) u) (ev w u) = 0 <-> ev p u + v *: ev w u = ev (regression p w b) u.
 Proof.
 move=> e turn; have e_u : ev (pderiv p) u = a.[u] *: ev w u + b.[u] *: ev (pderiv w) u.
   by rewrite e; apply/rowP=> k; rewrite !mxE hornerD !hornerM.
 have -> : cross (ev (pderiv p) u + v *: ev (pderiv w) u) (ev w u) = (v + b.[u]) *: cross (ev (pderiv w) u) (ev w u).
   by rewrite e_u; move: (ev w u) (ev (pderiv w) u) => x y; apply: row3P; coordinates; hide_entries; ring.
-rewrite ev_edge; have w0 : ev w u != 0.
+rewrite ev_regression; have w0 : ev w u != 0.
   by apply: contraNneq turn => ->; apply/eqP; apply: row3P; coordinates; ring.
 split=> [/eqP|/addrI/eqP].
   by rewrite scalemx_eq0 (negPf turn) orbF addr_eq0 => /eqP ->; rewrite scaleNr.
@@ -166,12 +166,12 @@ Qed.
 Theorem ZW06_10_cone p w a b : (forall i, i.+1%:R != 0 :> F) -> pderiv p = a *: w + b *: pderiv w -> a = b^`() ->
   exists e : 'rV[F]_3, forall u v, ev p u + v *: ev w u = e + (v + b.[u]) *: ev w u.
 Proof.
-move=> nz /ZW06_9_derivative; rewrite -/(edge p w b) => e ab; move: e; rewrite ab subrr scale0r => e.
-exists (\row_k (edge p w b 0 k)`_0) => u v.
-have -> : \row_k (edge p w b 0 k)`_0 = ev (edge p w b) u.
+move=> nz /ZW06_9_derivative; rewrite -/(regression p w b) => e ab; move: e; rewrite ab subrr scale0r => e.
+exists (\row_k (regression p w b 0 k)`_0) => u v.
+have -> : \row_k (regression p w b 0 k)`_0 = ev (regression p w b) u.
   apply/rowP=> k; rewrite !mxE; have := congr1 (fun r : 'rV__ => r 0 k) e; rewrite !mxE => /(constant_poly nz) e_k.
   by rewrite [in RHS]e_k hornerC.
-by rewrite ev_edge scalerDl addrACA addNr addr0.
+by rewrite ev_regression scalerDl addrACA addNr addr0.
 Qed.
 
 (** ZW06.14 parameter: $\bar v=\frac{v+b}{a-b'}$ is a parameter of the ruling in the place of $v$: $v=(a-b')\bar v-b$.
@@ -185,10 +185,10 @@ Proof. by move=> nz; split=> ->; field. Qed.
     Hypotheses: $a(u)\ne b'(u)$, so that the quotient has a meaning.
     Paper: $a\ne b'$; where $a(u)=b'(u)$ the curve $a_1$ has no tangent, $a_1'(u)=0$. *)
 Theorem ZW06_15_tangent p w a b u v : pderiv p = a *: w + b *: pderiv w -> a.[u] - b^`().[u] != 0 ->
-  ev p u + v *: ev w u = ev (edge p w b) u + ((v + b.[u]) / (a.[u] - b^`().[u])) *: ev (pderiv (edge p w b)) u.
+  ev p u + v *: ev w u = ev (regression p w b) u + ((v + b.[u]) / (a.[u] - b^`().[u])) *: ev (pderiv (regression p w b)) u.
 Proof.
-move=> /ZW06_9_derivative; rewrite -/(edge p w b) => -> nz.
+move=> /ZW06_9_derivative; rewrite -/(regression p w b) => -> nz.
 have -> : ev ((a - b^`()) *: w) u = (a.[u] - b^`().[u]) *: ev w u by apply/rowP=> k; rewrite !mxE hornerM hornerD hornerN.
-by rewrite scalerA divfK // ev_edge scalerDl addrACA addNr addr0.
+by rewrite scalerA divfK // ev_regression scalerDl addrACA addNr addr0.
 Qed.
 End Cases.

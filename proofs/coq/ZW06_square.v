@@ -21,10 +21,7 @@ case: k ih le_k => [|k] ih le_k; first by move: le_k; rewrite leqn0 size_poly_eq
 have [lt_k|le_kn] := ltnP n k; first by apply: ih => //; apply: leq_ltn_trans le_n _.
 pose x := g`_k / (a + k%:R * beta); pose top : {poly F} := x *: 'X^k.
 pose image : {poly F} := a%:P * top + (b0%:P + beta%:P * 'X) * top^`().
-have co j : image`_j = (a + j%:R * beta) * top`_j + b0 * (j.+1%:R * top`_j.+1).
-  rewrite /image coefD mulrDl coefD -[_ * 'X * _]mulrA !coefCM coefXM !coef_deriv -[top`_j.+1 *+ j.+1]mulr_natl.
-  case: j => [|j] /=; first by rewrite mulr0 addr0 mul0r addr0.
-  by rewrite -[top`_j.+1 *+ j.+1]mulr_natl; move: (top`_j.+1) (top`_j.+2) (j.+1%:R : F) (j.+2%:R : F) => y z v w; ring.
+have co j : image`_j = (a + j%:R * beta) * top`_j + j.+1%:R * b0 * top`_j.+1 by exact: coef_along.
 have zero j : (k < j)%N -> top`_j = 0 by move=> lt_j; rewrite coefZ coefXn gtn_eqF // mulr0.
 have [||h [sh eh]] := ih (g - image).
 - rewrite ltnS; apply/leq_sizeP=> j; rewrite leq_eqVlt coefB co => /orP[/eqP <-|lt_j].

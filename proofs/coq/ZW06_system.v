@@ -12,7 +12,7 @@ Local Open Scope ring_scope.
 
 Section System.
 Variables (F : fieldType) (m : nat).
-Implicit Types (p tau : nat -> 'rV[F]_m) (kappa : nat -> F) (a b : {poly F}) (n D i j : nat).
+Implicit Types (p tau : nat -> 'rV[F]_m) (kappa : nat -> F) (a b h : {poly F}) (n D i j : nat).
 
 Definition column n a b i : {poly F} := a * B F n i + b * (B F n i)^`().
 Definition solves n p a b tau := pderiv (pbez n p) = a *: pbez n tau + b *: pderiv (pbez n tau).
@@ -103,6 +103,15 @@ have [s eq_s] : exists s : F, bez n kappa' = s *: bez n kappa.
 exists s; apply: (bez_inj (good_independent g)); by rewrite bez_scale mul_polyC.
 Qed.
 
+(* What the equation does to powers of u: the coefficient k of a h + (b0 + beta u) h'. *)
+Lemma coef_along (a b0 beta : F) h k :
+  (a%:P * h + (b0%:P + beta%:P * 'X) * h^`())`_k = (a + k%:R * beta) * h`_k + k.+1%:R * b0 * h`_k.+1.
+Proof.
+rewrite coefD mulrDl coefD -[_ * 'X * _]mulrA !coefCM coefXM !coef_deriv -[h`_k.+1 *+ k.+1]mulr_natl.
+case: k => [|k] /=; first by rewrite mulr0 addr0 mul0r addr0 mulrCA -mulrA.
+by rewrite -[h`_k.+1 *+ k.+1]mulr_natl; move: (h`_k.+1) (h`_k.+2) (k.+1%:R : F) (k.+2%:R : F) => y z v w; ring.
+Qed.
+
 (** ZW06.G square: for constant $a$ and $b=b_0+\beta u$ the system has only one solution if $a+k\beta\ne0$ for $k=0..n$.
     Hypotheses: no $C(n,i)$ vanishes in the field, as in characteristic 0. *)
 Theorem ZW06_G_square n (a b0 beta : F) kappa : independent F n -> (forall k, (k <= n)%N -> a + k%:R * beta != 0) ->
@@ -113,9 +122,7 @@ move=> ind nz e; suff q0 : bez n kappa = 0.
   by apply: (bez_inj ind (d := fun=> 0)); rewrite q0 z0.
 move: (bez n kappa) (size_bez n kappa) e => q sq e.
 have step j : (a + j%:R * beta) * q`_j = - (j.+1%:R * b0 * q`_j.+1).
-  have := congr1 (fun f : {poly F} => f`_j) e; rewrite coef0 coefD coefCM mulrDl coefD coefCM -mulrA coefCM coefXM coef_deriv -mulr_natl.
-  move=> e_j; apply/eqP; rewrite -subr_eq0 opprK; apply/eqP; rewrite -[RHS]e_j. case: j {e_j} => [|j] /=; first by ring.
-  rewrite coef_deriv -[q`_j.+1 *+ j.+1]mulr_natl; move: (q`_j.+1) (q`_j.+2) (j.+1%:R) (j.+2%:R) => x y k l; ring.
+  by apply/eqP; rewrite -addr_eq0 -coef_along e coef0.
 have zero k : (k <= n.+1)%N -> forall j, (n.+1 - k <= j)%N -> q`_j = 0.
   elim: k => [|k ih] le_k j le_j; first by rewrite nth_default // (leq_trans sq) //; lia.
   have [lt_j|le_j'] := leqP (n.+1 - k) j; first by apply: ih => //; lia.

@@ -17,15 +17,6 @@ Implicit Types (p tau : nat -> 'rV[F]_m) (a beta : F) (b g h : {poly F}) (n i j 
 Definition system n a b : 'M[F]_n.+1 := \matrix_(j, i) in_bernstein n (column n a%:P b i) j.
 Definition in_powers n : 'M[F]_n.+1 := \matrix_(k, i) (B F n i)`_k.
 
-(* What the equation does to powers of u: the coefficient k of a h + (b0 + beta u) h'. *)
-Lemma coef_along a (b0 : F) beta h k :
-  (a%:P * h + (b0%:P + beta%:P * 'X) * h^`())`_k = (a + k%:R * beta) * h`_k + k.+1%:R * b0 * h`_k.+1.
-Proof.
-rewrite coefD mulrDl coefD -[_ * 'X * _]mulrA !coefCM coefXM !coef_deriv -[h`_k.+1 *+ k.+1]mulr_natl.
-case: k => [|k] /=; first by rewrite mulr0 addr0 mul0r addr0 mulrCA -mulrA.
-by rewrite -[h`_k.+1 *+ k.+1]mulr_natl; move: (h`_k.+1) (h`_k.+2) (k.+1%:R : F) (k.+2%:R : F) => y z v w; ring.
-Qed.
-
 Lemma B_bez n i : (i <= n)%N -> B F n i = bez n (fun j => (j == i)%:R).
 Proof.
 move=> le_i; rewrite /bez big_mkord (bigD1 (Ordinal (n := n.+1) le_i)) //= eqxx mul1r big1 ?addr0 // => j ne.
