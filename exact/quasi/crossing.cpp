@@ -152,8 +152,7 @@ Rational last_below(const Mapping<Rational>& sigma, const Rational& value, const
   for (Q step = grid; a < low && !below(low); step *= Q(16)) low = std::max(low - step, a);
   for (Q step = grid; high < b && below(high); step *= Q(16)) high = std::min(high + step, b);
   while (grid < high - low) {
-    const Q middle = repair::rounded((low + high) / Q(2), exponent);
-    if (!(low < middle && middle < high)) break;
+    const Q middle = repair::rounded((low + high) / Q(2), exponent);  // off by half a step, so between them
     (below(middle) ? low : high) = middle;
   }
   return low;

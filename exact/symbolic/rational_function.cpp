@@ -239,7 +239,6 @@ bool RationalFunction::equals(const RationalFunction& x) const {
 RationalFunction& RationalFunction::set_sum(const RationalFunction& x, const RationalFunction& y) {
   using A = Access;
   if (x.context_ == nullptr && y.context_ == nullptr) {
-    if (context_ != nullptr) *this = RationalFunction();
     fmpq_add(A::number(*this), A::number(x), A::number(y));
     return *this;
   }
@@ -259,7 +258,6 @@ RationalFunction& RationalFunction::set_sum(const RationalFunction& x, const Rat
 RationalFunction& RationalFunction::set_difference(const RationalFunction& x, const RationalFunction& y) {
   using A = Access;
   if (x.context_ == nullptr && y.context_ == nullptr) {
-    if (context_ != nullptr) *this = RationalFunction();
     fmpq_sub(A::number(*this), A::number(x), A::number(y));
     return *this;
   }
@@ -280,7 +278,6 @@ RationalFunction& RationalFunction::set_difference(const RationalFunction& x, co
 RationalFunction& RationalFunction::set_product(const RationalFunction& x, const RationalFunction& y) {
   using A = Access;
   if (x.context_ == nullptr && y.context_ == nullptr) {
-    if (context_ != nullptr) *this = RationalFunction();
     fmpq_mul(A::number(*this), A::number(x), A::number(y));
     return *this;
   }
@@ -300,7 +297,6 @@ RationalFunction& RationalFunction::set_quotient(const RationalFunction& x, cons
   using A = Access;
   if (y.is_zero()) throw DivisionByZero();
   if (x.context_ == nullptr && y.context_ == nullptr) {
-    if (context_ != nullptr) *this = RationalFunction();
     fmpq_div(A::number(*this), A::number(x), A::number(y));
     return *this;
   }

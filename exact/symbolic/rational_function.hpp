@@ -147,6 +147,7 @@ class RationalFunction {
   void take(RationalFunction& x) noexcept;
   void negate();
   bool equals(const RationalFunction& x) const;
+  // x op y, where this is x or zero.
   RationalFunction& set_sum(const RationalFunction& x, const RationalFunction& y);
   RationalFunction& set_difference(const RationalFunction& x, const RationalFunction& y);
   RationalFunction& set_product(const RationalFunction& x, const RationalFunction& y);

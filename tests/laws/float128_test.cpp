@@ -47,4 +47,18 @@ TEST(Float128, InfinitiesAreNoNumbers) {
   EXPECT_THROW(infinity.to_rational(), InvalidInput);
 }
 
+TEST(Float128, FractionsBelowTheRangeOfDoubleAreRefused) {
+  const Rational unit = Rational::from_double(0x1p-1000);
+  const Float128 tiny = Float128(1) / Float128(std::int64_t{1} << 60);
+  Float128 x(1);
+  Rational exact(1);
+  for (int i = 0; i < 17; ++i) {  // 2^-1020
+    x *= tiny;
+    exact = exact / Rational(std::int64_t{1} << 60);
+  }
+  EXPECT_EQ(x.to_rational(), exact);
+  EXPECT_LT(exact, unit);
+  EXPECT_THROW((x * tiny).to_rational(), InvalidInput);
+}
+
 }  // namespace torse::laws

@@ -117,6 +117,24 @@ TEST(Interval, WideOperandsContainAllResults) {
   }
 }
 
+TEST(Interval, QuotientsByIntervalsWithoutEnd) {
+  const Interval above = Interval::hull(2, detail::infinity);
+  const Interval positive = Interval::hull(3, 4) / above;
+  EXPECT_LE(positive.lower(), 0);
+  EXPECT_GE(positive.lower(), -0x1p-1074);
+  EXPECT_EQ(positive.upper(), 2);
+  const Interval negative = Interval::hull(-4, -3) / above;
+  EXPECT_EQ(negative.lower(), -2);
+  EXPECT_GE(negative.upper(), 0);
+  EXPECT_LE(negative.upper(), 0x1p-1074);
+  const Interval both = above / above;
+  EXPECT_LE(both.lower(), 0);
+  EXPECT_EQ(both.upper(), detail::infinity);
+  const Interval below = above / -above;
+  EXPECT_EQ(below.lower(), -detail::infinity);
+  EXPECT_GE(below.upper(), 0);
+}
+
 TEST(Interval, PredicatesSayOnlyWhatHoldsForAllElements) {
   EXPECT_EQ(is_zero(Interval(0)), Truth::yes);
   EXPECT_EQ(is_zero(Interval::hull(0, 1)), Truth::unknown);

@@ -45,6 +45,10 @@ TEST(LinearNet, NamesWhatIsWrong) {
   }
   EXPECT_EQ(place_of([&] { return linear_net<Q, Point3>(u, points(3), Q(7), Q(5), c[0]); }), "points");
   EXPECT_EQ(place_of([&] { return linear_net<Q, Point3>(u, c, Q(1), Q(5), c[0]); }), "");
+  for (const auto& [k, place] : {std::pair{-1, "k"}, {4, "k"}, {0, ""}, {3, ""}}) {
+    EXPECT_EQ(place_of([&, vertex = k] { return net_from<Q, Point3>(u, c, Q(1), Q(5), vertex, c[0]); }), place);
+    EXPECT_EQ(place_of([&, vertex = k] { return printed_net<Q, Point3>(u, c, Q(1), Q(5), vertex, c[0]); }), place);
+  }
 }
 
 TEST(RationalNet, ObeysItsEquationsAndTheOracle) {

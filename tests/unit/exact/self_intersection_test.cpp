@@ -71,6 +71,16 @@ TEST(SelfIntersection, ALoopAboveAMuchSmallerOneHasAWitness) {
   expect_witness(bezier_knots<Q>(3), raised(looped(), Q(1)), small);
 }
 
+TEST(SelfIntersection, ItsWitnessIsAsNearAsTheSizeOfTheSurfaceAsks) {
+  for (const double size : {0x1p40, 0x1p-40}) {
+    Row c = looped();
+    for (Point& x : c) x = Point(scaled(Q::from_double(size), x));
+    const SelfIntersection found = find_self_intersection<3>(bezier_knots<Q>(3), c, raised(c, Q::from_double(size)));
+    ASSERT_EQ(found.crosses, Truth::yes) << size;
+    EXPECT_LT(found.witness->distance, 1e-11 * size);
+  }
+}
+
 /// BZZ19's "guaranteed to have no self-intersections" is refuted by T = t over a curve with a loop.
 TEST(SelfIntersection, ALoopThatIsRaisedCrossesItself) {
   expect_witness(bezier_knots<Q>(3), looped(), raised(looped(), Q(1)));

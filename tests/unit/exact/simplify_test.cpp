@@ -127,11 +127,27 @@ TEST(Simplify, WhatComesOutExactlyHasNoDistance) {
   EXPECT_EQ(found->distance, 0);
 }
 
+/// Breakpoints that are one double: the first of them stands for both.
+TEST(Simplify, KnotsNearerThanDoublesAreOne) {
+  const Q middle = Q(1) / Q(2), beside = middle + Q::from_double(0x1p-60);
+  const ExactSurface surface(
+      KnotList<Q>(2, {Q(0), Q(0), middle, beside, Q(1), Q(1)}),
+      {P(Q(0), Q(0), Q(0)), P(Q(1), Q(4), Q(0)), P(Q(2), Q(1), Q(0)), P(Q(3), Q(5), Q(0)), P(Q(4), Q(0), Q(0))},
+      {P(Q(0), Q(0), Q(9)), P(Q(1), Q(0), Q(9)), P(Q(2), Q(0), Q(9)), P(Q(3), Q(0), Q(9)), P(Q(4), Q(0), Q(9))});
+  const std::optional<SimplifiedSurface> found = with_fewest_knots(surface, 2, Q(1) / Q(1000));
+  ASSERT_TRUE(found.has_value());
+  expect_near(*found, surface, Q(1) / Q(1000));
+  EXPECT_EQ(found->surface.knots.list(), (std::vector<Q>{Q(0), Q(0), middle, middle, Q(1), Q(1)}));
+}
+
 TEST(Simplify, RefusesWhatIsNoQuestion) {
   const ExactSurface surface = result(0);
   EXPECT_THROW(with_fewest_knots(surface, 0, Q(1)), InvalidInput);
   EXPECT_THROW(with_fewest_knots(surface, 7, Q(1)), InvalidInput);
   EXPECT_THROW(with_fewest_knots(surface, 3, Q(0)), InvalidInput);
+  const ExactSurface open(KnotList<Q>(2, {Q(0), Q(1), Q(2), Q(3)}), std::vector<P>(3, P(Q(0), Q(0), Q(0))),
+                          std::vector<P>(3, P(Q(0), Q(0), Q(1))));
+  EXPECT_THROW(with_fewest_knots(open, 2, Q(1)), InvalidInput);
 }
 
 }  // namespace

@@ -175,6 +175,44 @@ TEST(Fit, StartsFromTheSameParameterOnlyWhereThePathIsWorse) {
   }
 }
 
+Fit sides_fit(std::uint64_t seed, Measure measure, int coefficients) {
+  FitOptions options;
+  options.coefficients = coefficients;
+  options.kind = AngleKind::sides;
+  options.measure = measure;
+  return fit_rails(drawn_rails(seed), options);
+}
+
+/// The mapping with the least mean has a larger maximum, so the mean is lowered as far as it stays.
+TEST(Fit, TheMaximumStaysWhereTheMeanIsLowered) {
+  const Fit fit = sides_fit(7, Measure::max, 6);
+  const FitStage& mean = fit.stages.back();
+  EXPECT_EQ(mean.start, "mean");
+  EXPECT_LE(mean.after, mean.before);
+  double best = fit.stages.front().after;
+  for (const FitStage& stage : fit.stages) {
+    if (stage.start != "mean") best = std::min(best, stage.after);
+  }
+  EXPECT_LT(fit.value, 1.05 * best);
+  const Rails rails = drawn_rails(7);
+  EXPECT_GT(warp_statistics(rails, sides_fit(7, Measure::mean, 6).mapping, 997).max, 1.1 * best);
+}
+
+/// Fixed ends have the largest angle whatever the mapping is: the one with the least mean is the best.
+TEST(Fit, WhereTheEndsDecideTheMaximumTheMeanDecides) {
+  for (const std::uint64_t seed : {2U, 4U, 9U}) {
+    const Fit fit = sides_fit(seed, Measure::max, 12);
+    const Rails rails = drawn_rails(seed);
+    const auto angle = [&](double t) {
+      return std::abs(ruling_angle(rails.c(t), rails.d(t), AngleKind::sides).angle.value);
+    };
+    EXPECT_NEAR(fit.value, std::max(angle(0), angle(1)) * 180 / std::numbers::pi, 1e-9);
+    const std::vector<double> found = coefficients(fit.mapping);
+    const std::vector<double> expected = coefficients(sides_fit(seed, Measure::mean, 12).mapping);
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-3) << seed << " " << i;
+  }
+}
+
 TEST(Fit, Errors) {
   const auto place = [](int degree, int count) {
     FitOptions options;
@@ -223,6 +261,27 @@ TEST(PaperFit, ItsGradientIsTheDerivative) {
     EXPECT_LT(fit.gradient_error, 1e-7);
     EXPECT_GT(fit.gradient_error, 0);
   }
+}
+
+TEST(PaperFit, StopsWhereItIsTold) {
+  const KnotList<double> knots = mapping_knots(2, {0, 1});
+  const PaperFit whole = paper_fit(cylinder_rails(), knots, {});
+  const auto steps = [&](const PaperOptions& options) {
+    const PaperFit fit = paper_fit(cylinder_rails(), knots, options);
+    EXPECT_EQ(fit.converged, fit.steps < options.most_steps);
+    EXPECT_EQ(fit.stop, fit.converged ? "the gradient or the change of the objective is small" : "the steps ran out");
+    EXPECT_GE(fit.evaluations, fit.steps);
+    EXPECT_GE(fit.objective, whole.objective);
+    EXPECT_EQ(fit.objective, fit.curve.back().objective);
+    return fit.steps;
+  };
+  PaperOptions few, steep, changing;
+  few.most_steps = 15;
+  steep.gradient = 1e-2;
+  changing.change = 0.5;
+  EXPECT_EQ(steps(few), 15);
+  EXPECT_LT(steps(steep), whole.steps);
+  EXPECT_LT(steps(changing), whole.steps);
 }
 
 TEST(PaperFit, ComesNearTheMappingOfDevelopableRails) {

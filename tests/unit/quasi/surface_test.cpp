@@ -108,6 +108,14 @@ TEST(ElevatedPoints, AgreeWithRepeatedElevation) {
 }
 
 // Fig. 4: sigma has 8 pieces; the ninth comes from the preimage of C2's knot 1/2, which is not 1/2. Here it is 4/9.
+TEST(ValueRounding, IsThatOfDeBoorsTriangle) {
+  const KnotList<double> u(2, {0, 0, 1, 2, 2});
+  const Mapping<double> sigma(
+      u, std::vector<Vec<double, 1>>{Vec<double, 1>(-3), Vec<double, 1>(0), Vec<double, 1>(1), Vec<double, 1>(2)});
+  EXPECT_EQ(value_rounding(sigma), 3 * 13 * 0x1p-52);
+  EXPECT_EQ(value_rounding(identity_mapping(bezier_knots<Q>(3))), Q(0));
+}
+
 TEST(QuasiSurface, NinePiecesOfTheWorkedExample) {
   const Spline<Q, Point3> c1 = drawn<3>(fig4_rails(), 1);
   const Spline<Q, Point3> c2 = drawn<3>(fig4_rails(), 2);

@@ -42,6 +42,19 @@ TEST(Closed, TellsLoopsFromOthers) {
   EXPECT_FALSE(closed(open));
 }
 
+/// From infinity to infinity in one direction, and from a point to the direction of it.
+TEST(Closed, NoLoopRunsThroughInfinityAtItsEnds) {
+  Curve at_infinity = loop();
+  at_infinity.control.front() = at_infinity.control.back() = Row(q(0), q(0), q(0), q(1));
+  EXPECT_FALSE(closed(at_infinity));
+  Curve begin = loop();
+  begin.control.front()[0] = q(0);
+  EXPECT_FALSE(closed(begin));
+  Curve end = loop();
+  end.control.back() = Row(q(0), q(0), q(0), q(0));
+  EXPECT_FALSE(closed(end));
+}
+
 TEST(Closed, RotatedRunsThroughTheSamePoints) {
   const Curve curve = loop();
   for (const Rational& begin : {q(3, 2), q(2), q(7, 2)}) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "splines.hpp"
+#include "torse/exact/ball/ball.hpp"
 
 namespace torse::test {
 namespace {
@@ -48,6 +49,15 @@ TEST(InsertKnot, RejectsParametersOutsideTheDomain) {
       EXPECT_EQ(error.place(), "t");
     }
   }
+}
+
+TEST(InsertKnot, DoesNotGuessWhereBallsDoNotTell) {
+  using Box = Ball<128>;
+  const KnotList<Box> u(2, {Box(0), Box(1), Box(2), Box(3), Box(4)});
+  EXPECT_EQ(insertion_interval(u, Box(3) / Box(2)), 1);
+  EXPECT_EQ(insertion_interval(u, Box::interval(2.25, 2.5)), 2);
+  EXPECT_THROW(insertion_interval(u, Box::interval(0.75, 1.5)), Undecided);
+  EXPECT_THROW(insertion_interval(u, Box::interval(1.5, 2.5)), Undecided);
 }
 
 TEST(BezierPoints, AreThePieceAndGiveTheVerticesBack) {
