@@ -15,22 +15,31 @@ Implicit Types a b w e f : 'rV[R]_3.
 
 Definition normal a b w v := cross ((1 - v) *: a + v *: b) w.
 
+Lemma along_ruling a b w v : triple (b - a) ((1 - v) *: a + v *: b) w = triple b a w.
+Proof. by coordinates; hide_entries; ring. Qed.
+
+Lemma cross_cross a b w : cross (cross a w) (cross b w) = triple a b w *: w.
+Proof. by apply: row3P; coordinates; hide_entries; ring. Qed.
+
 (** FJ07.1 curvature: with $a=c'$, $b=d'$, $w=d-c$, $e=c''$, $f=d''$ and $n=b_u\times b_v$:
     $(b_{uu}\cdot n)(b_{vv}\cdot n)-(b_{uv}\cdot n)^2=-[d',c',d-c]^2$, as $b_{vv}=0$; so (1) holds iff (3) does.
     Paper: for the unit normal, which singular points lack; any multiple of it will do. *)
 Theorem FJ07_1_curvature a b w e f v :
   dot ((1 - v) *: e + v *: f) (normal a b w v) * dot 0 (normal a b w v) - dot (b - a) (normal a b w v) ^+ 2
     = - triple b a w ^+ 2.
-Proof. by rewrite /normal; coordinates; hide_entries; ring. Qed.
+Proof.
+have -> x : dot 0 x = 0 :> R by coordinates; rewrite !mul0r !addr0.
+by rewrite mulr0 sub0r -[dot _ _]/(triple (b - a) ((1 - v) *: a + v *: b) w) along_ruling.
+Qed.
 
 (** FJ07.2 ruling: $[b_{uv},b_u,b_v](u,v)=[d',c',d-c]$ whatever $v$ is. *)
 Theorem FJ07_2_ruling a b w v : triple (b - a) ((1 - v) *: a + v *: b) w = triple b a w.
-Proof. by rewrite /normal; coordinates; hide_entries; ring. Qed.
+Proof. exact: along_ruling. Qed.
 
 (** FJ07.3 normals: along a ruling $n(v)\times n(v')=(v-v')\,[d',c',d-c]\,(d-c)$: the tangent plane is constant iff (3).
     Paper: where $d=c$ the ruling has no direction, and this says nothing. *)
 Theorem FJ07_3_normals a b w v v' : cross (normal a b w v) (normal a b w v') = ((v - v') * triple b a w) *: w.
-Proof. by apply: row3P; rewrite /normal; coordinates; hide_entries; ring. Qed.
+Proof. by rewrite cross_cross; congr (_ *: w); coordinates; hide_entries; ring. Qed.
 End Vectors.
 
 Section Surfaces.

@@ -66,8 +66,12 @@ Variable F : fieldType.
 Let rows_at0 (C := pcurve 2 (bent F) (bent_c F)) (D := pcurve 2 (bent F) (bent_d F)) :
   [/\ ev (D - C) 0 = vec (-1) 0 1, ev (pderiv C) 0 = vec (-1 - 1) 1 0 & ev (pderiv D) 0 = vec 1 0 (-1 - 1)].
 Proof.
-rewrite /C /D !bent_pcurve; split; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= ?derivM ?derivB ?derivD ?derivM ?derivX ?derivC;
-  by rewrite ?derivB ?derivC ?derivX !hornerE /=; ring.
+have at0 x y : ((1 - 'X) * (x%:P * 'X + y%:P * (1 - 'X))).[0] = y :> F.
+  by rewrite !(hornerM, hornerD, hornerN, hornerC, hornerX); ring.
+have slope x y : ((1 - 'X) * (x%:P * 'X + y%:P * (1 - 'X)))^`().[0] = x - y - y :> F.
+  by rewrite !(derivM, derivB, derivD, derivX, derivC) !(hornerM, hornerD, hornerN, hornerC, hornerX); ring.
+rewrite /C /D !bent_pcurve; split; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE ?hornerD ?hornerN ?slope ?at0 /= ?mxE /= ?mxE /=.
+all: by rewrite ?subrr ?subr0 ?sub0r ?oppr0.
 Qed.
 
 (** FJ07.3 needs_span: over such knots the determinant of the four points is 0 at $t=0$, that of the curves is not. *)
