@@ -213,6 +213,42 @@ TEST(Fit, WhereTheEndsDecideTheMaximumTheMeanDecides) {
   }
 }
 
+TEST(SampledRulings, AreSpreadEvenlyWithTheirWarp) {
+  const Rails rails = drawn_rails(7);
+  const Mapping<double> sigma = sides_fit(7, Measure::mean, 6).mapping;
+  const std::vector<SampledRuling> rulings = sampled_rulings(rails, sigma, 20);
+  ASSERT_EQ(rulings.size(), 20U);
+  double largest = 0;
+  for (std::size_t i = 0; i < rulings.size(); ++i) {
+    const SampledRuling& r = rulings[i];
+    EXPECT_NEAR(r.t + r.target, 2 * static_cast<double>(i) / 19, 0.05);
+    EXPECT_NEAR(r.target, mapping_value(sigma, r.t), 1e-12);
+    EXPECT_LT((r.c - rails.c(r.t).point).norm() + (r.d - rails.d(r.target).point).norm(), 1e-12);
+    const double angle = ruling_angle(rails.c(r.t), rails.d(r.target), AngleKind::planes).angle.value;
+    EXPECT_NEAR(r.warp, std::abs(angle) * 180 / std::numbers::pi, 1e-9);
+    largest = std::max(largest, r.warp);
+  }
+  EXPECT_GT(largest, 1);
+}
+
+/// More than `degree` equal coefficients would make a cone of a piece: they are parted, but by little.
+TEST(Fit, NoPieceRestsOnAPointOfTheSecondRail) {
+  int parted = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (const Ends ends : {Ends::fixed, Ends::free}) {
+      FitOptions options;
+      options.coefficients = 30;
+      options.ends = ends;
+      const std::vector<double> beta = coefficients(fit_rails(drawn_rails(seed), options).mapping);
+      for (std::size_t i = 0; i + 2 < beta.size(); ++i) {
+        EXPECT_LT(beta[i], beta[i + 2]) << seed << " " << i;
+        parted += beta[i + 2] - beta[i] < 1e-6 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(parted, 0);
+}
+
 TEST(Fit, Errors) {
   const auto place = [](int degree, int count) {
     FitOptions options;
