@@ -159,6 +159,23 @@ have [f cells] := cells1; rewrite !cells // /u /c /d /= !row4Z !row4_nth /= !(rm
 by split; [exact: first_cell|exact: second_cell].
 Qed.
 
+(** FJ21.T3.2.pieces example_needs_seven: in characteristic 7 the second piece has other triples too, such as $2,1,3$.
+    Hypotheses: $7=0$ in the field. *)
+Theorem FJ21_T3_2_pieces_example_needs_seven (u := fun i => i%:R : F)
+    (c := nth (0 : 'rV[F]_4) [:: row4 1 0 0 0; row4 1 1 0 2%:R; row4 2%:R 3%:R 1 0])
+    (d := nth (0 : 'rV[F]_4) [:: row4 1 0 1 1; 10%:R^-1 *: row4 9%:R 3%:R 8%:R 14%:R; 20%:R^-1 *: row4 (- 13%:R) (- 61%:R) (- 6%:R) 82%:R]) : 7%:R = 0 :> F ->
+  frelated 1 (pcurve 1 (drop_ 1 u) (drop_ 1 c)) (pcurve 1 (drop_ 1 u) (drop_ 1 d)) 2%:R 1 3%:R.
+Proof.
+move=> n7; have n10 : 10%:R != 0 :> F.
+  by apply/eqP=> n10; have /eqP := oner_neq0 F; apply; apply: (by_multiple (z := 1) (congr2 (fun x y => 3%:R * x - 2%:R * y) n7 n10)); ring.
+have u1 : u 2%N - u 1%N = 1 by rewrite /u -natrB.
+have [f cells] := cells1; apply/cells => //; rewrite /u /c /d /= !row4Z !row4_nth /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1).
+have {n7} n7 : 7%:R = 0 :> K by rewrite -(rmorph_nat f) n7 rmorph0.
+have {n10} n10 : 10%:R != 0 :> K by rewrite -(rmorph_nat f) fmorph_eq0.
+by rewrite !subrr !mul0r !addr0 !add0r; split; apply: (mulfI n10); [apply: (by_multiple (z := -1) n7) | apply: (by_multiple (z := 3%:R) n7) | apply: (by_multiple (z := - 2%:R) n7) | apply: (by_multiple (z := - 6%:R) n7)];
+  field; exact: n10.
+Qed.
+
 (** FJ21.T3.2 needs_pieces: one triple for the whole spline is not necessary: for $n=1$ on the knots $0,1,2$ the rows
     $(1,0,0,0),(1,1,0,0),(1,2,0,1)$ and $(1,0,1,0),(1,0,2,0),(1,0,4,1)$ are developable on both pieces, with $\Lambda=0$, $\sigma=1$ and $M=-1$ on the first, $M=0$
     on the second, and no triple serves both. *)

@@ -153,7 +153,7 @@ by rewrite es ltnn.
 Qed.
 
 (** FJ21.4.3 needs_exponential: for $p=(1+t,t,t^2,t^3)$ and $q=p'$, with $\lambda=\nu=1$, $\mu=0$, no rational $f\ne0$ removes $\nu$: $e^{-t}$ is not rational.
-    Hypotheses: $2\ne0$ in the field. *)
+    Hypotheses: $2\ne0$ in the field: in characteristic 2 there always is one ("characteristic" below). *)
 Theorem FJ21_4_3_needs_exponential (p : 'rV[{poly F}]_4 := row4 (1 + 'X) 'X ('X ^+ 2) ('X ^+ 3)) (P := pfun p) (Q := pfun (pderiv p)) : 2%:R != 0 :> F ->
   fframe P Q 1 0 1 /\ forall f lam mu, f != 0 -> ~ fframe (f *: P) (f *: Q) lam mu 0.
 Proof.

@@ -122,24 +122,24 @@ Implicit Types (u : nat -> F) (c d : nat -> 'rV[F]_m).
 Definition insert_points n p x u c i : 'rV[F]_m := \row_k insert_point n p x u (coord c k) i.
 
 Lemma pblossom_insertion n p x u c j w (k := if (j + n <= p)%N then j else j.-1) :
-  (0 < n <= p)%N -> span n (drop_ k u) -> span n (drop_ j (insert_knot p x u)) -> size w = n ->
+  (n <= p)%N || (0 < j)%N -> span n (drop_ k u) -> span n (drop_ j (insert_knot p x u)) -> size w = n ->
   pblossom (drop_ j (insert_knot p x u)) (drop_ j (insert_points n p x u c)) w = pblossom (drop_ k u) (drop_ k c) w.
 Proof.
-case/andP=> _ le_n spk spj sz; have le : (n <= p)%N || (0 < j)%N by rewrite le_n.
-apply/rowP=> h; have := blossoms_boehm (coord c h) le spk spj sz; rewrite -/k !mxE => <-.
+move=> le_n spk spj sz; apply/rowP=> h; have := blossoms_boehm (coord c h) le_n spk spj sz; rewrite -/k !mxE => <-.
 by apply: blossom_ext => i _; rewrite /coord /drop_ mxE.
 Qed.
 
 (** FJ21.K relation: on every piece of the knots with $x$ inserted, $\hat p[t_1,\dots,t_{n-1},\Lambda]=\sigma\hat q[t_1,\dots,t_{n-1},M]$ iff
     $p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]$ on the piece of the old knots that holds it: $\Lambda,M,\sigma$ do not change.
-    Hypotheses: $x$ is inserted neither before the first piece nor in its first knots: $n\le p$; both pieces carry their knots, so that the curves have a meaning. *)
+    Hypotheses: $n\le p$, or the piece is not the first: $x$ is not inserted among the first knots of the first piece; both pieces carry their knots, so that the
+    blossoms have a meaning. *)
 Theorem FJ21_K_relation n p x u c d j v L M s (u' := insert_knot p x u) (k := if (j + n <= p)%N then j else j.-1) :
-  (n <= p)%N -> span n (drop_ k u) -> span n (drop_ j u') -> (size v).+1 = n ->
+  (n <= p)%N || (0 < j)%N -> span n (drop_ k u) -> span n (drop_ j u') -> (size v).+1 = n ->
   pblossom (drop_ j u') (drop_ j (insert_points n p x u c)) (at_ L :: v)
     = s *: pblossom (drop_ j u') (drop_ j (insert_points n p x u d)) (at_ M :: v) <->
   pblossom (drop_ k u) (drop_ k c) (at_ L :: v) = s *: pblossom (drop_ k u) (drop_ k d) (at_ M :: v).
 Proof.
-move=> le_n spk spj sz; have lt_n : (0 < n <= p)%N by rewrite -{1}sz.
+move=> le_n spk spj sz.
 have e y (b : nat -> 'rV[F]_m) : pblossom (drop_ j u') (drop_ j (insert_points n p x u b)) (at_ y :: v) = pblossom (drop_ k u) (drop_ k b) (at_ y :: v).
   exact: pblossom_insertion.
 by rewrite !e.

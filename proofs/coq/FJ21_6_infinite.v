@@ -46,7 +46,7 @@ by move=> n0 e0 rel; rewrite pfunB pfderivB !pfderiv_fun; exact: infinite_edge (
 Qed.
 
 (** FJ21.C6.1 infinite_point: if $\Lambda=t$ as well, then $p=\sigma q$: the rulings are points.
-    Hypotheses: $E=0$, $\Lambda=t$. *)
+    Hypotheses: $E=0$, $\Lambda=t$. True whatever stands for $\frac1n$ where $n=0$ in the field. *)
 Theorem FJ21_C6_1_infinite_point m n (p q : 'rV[{poly F}]_m) M s : s * ('X%:F - M) = 0 -> frelated n p q 'X%:F M s -> pfun p = s *: pfun q.
 Proof.
 move=> e0; have {}e0 : s * ((M - 'X%:F) / n%:R) = 0 by rewrite mulrA -opprB mulrN e0 oppr0 mul0r.
@@ -55,22 +55,20 @@ Qed.
 
 (** FJ21.C6.1 infinite_cone: if $\sigma=1$, then all coordinates of $W$ have constant quotients, $W_i'W_j=W_iW_j'$: the edge is one point, the surface a cone, or a cylinder
     where the weights $w=\omega$ are the same.
-    Hypotheses: $E=0$, which is $\Lambda=M$; $M\ne t$; $n\ne0$ in the field, so that $p[t^{\langle n-1\rangle},\Lambda]$ has a meaning. *)
-Theorem FJ21_C6_1_infinite_cone m n (p q : 'rV[{poly F}]_m) M i j (W := pfun (q - p)) : n%:R != 0 :> F -> M != 'X%:F -> frelated n p q M M 1 ->
+    Hypotheses: $E=0$, which is $\Lambda=M$. True whatever stands for $\frac1n$ where $n=0$ in the field. *)
+Theorem FJ21_C6_1_infinite_cone m n (p q : 'rV[{poly F}]_m) M i j (W := pfun (q - p)) : frelated n p q M M 1 ->
   fderiv (W 0 i) * W 0 j = W 0 i * fderiv (W 0 j).
 Proof.
-move=> n0 ne rel; have e0 : M - 'X%:F + 1 * ('X%:F - M) = 0 by rewrite mul1r addrA subrK subrr.
-have M0 : M - 'X%:F != 0 by rewrite subr_eq0.
-have := FJ21_C6_1_infinite n0 e0 rel; rewrite mul1r scale1r => /rowP e.
-have dW k : (M - 'X%:F) * fderiv (W 0 k) = - (n%:R * W 0 k).
-  have := e k; rewrite [LHS]mxE [pfderiv _ 0 k]mxE -/W => ->; rewrite /W pfunB [LHS]mxE -mulrN; congr (_ * _).
-  by rewrite -[pfun p - pfun q]opprB [LHS]mxE.
-apply: (mulfI M0); rewrite mulrA dW [RHS]mulrCA dW; move: (W 0 i) (W 0 j) (n%:R : K) => x y N; ring.
+rewrite /frelated /ftangent scale1r; set x := (M - _) / _ => /rowP e.
+have dW k : W 0 k = - (x * fderiv (W 0 k)).
+  have := e k; rewrite /W pfunB !mxE fderivB !fderiv_poly.
+  by move: ((p 0 k)%:F) ((q 0 k)%:F) (((p 0 k)^`())%:F) (((q 0 k)^`())%:F) => a b a' b' h; apply: (by_multiple (z := -1) h); ring.
+by rewrite {1}(dW j) {2}(dW i); move: (fderiv (W 0 i)) (fderiv (W 0 j)) => a b; ring.
 Qed.
 
 (** FJ21.C6.1 infinite_ruling: in space the tangent of the edge $e=(\omega d-wc)/(\omega-w)$ is the ruling: $e'=\frac{n(\sigma-1)w\omega}{\sigma(M-t)(\omega-w)^2}(d-c)$.
-    Hypotheses: $E=0$, $\Lambda\ne t$; $n\ne0$ in the field and the weights $w$, $\omega$, $\omega-w$ do not vanish identically, so that
-    $p[t^{\langle n-1\rangle},\Lambda]$, $c$, $d$, $e$ have a meaning; where $\omega=w$ it follows that $\sigma=1$. *)
+    Hypotheses: $E=0$; $\Lambda\ne t$, $n\ne0$ in the field and the weights $w$, $\omega$, $\omega-w$ do not vanish identically, so that the quotient,
+    $p[t^{\langle n-1\rangle},\Lambda]$, $c$, $d$ and $e$ have a meaning; where $\omega=w$ it follows that $\sigma=1$. *)
 Theorem FJ21_C6_1_infinite_ruling n (p q : 'rV[{poly F}]_4) L M s : n%:R != 0 :> F -> L - 'X%:F + s * ('X%:F - M) = 0 -> L != 'X%:F ->
   weight p != 0 -> weight q != 0 -> weight (q - p) != 0 -> frelated n p q L M s ->
   pfderiv (affine (q - p)) = (n%:R * (s - 1) * (weight p * weight q)%:F / (s * (M - 'X%:F) * (weight (q - p))%:F ^+ 2)) *: (affine q - affine p).

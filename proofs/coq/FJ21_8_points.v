@@ -50,6 +50,26 @@ have next j : (j < 3)%N -> r j = q j -> r j.+1 = q j.+1.
 have e2 := next 1%N isT e1; by split=> //; exact: (next 2%N isT e2).
 Qed.
 
+(** FJ21.E8 unique_needs_second: without $d_1$ there are other nets: $d_0$, $c_0$, $c_1$, $c_2$ with $\Lambda=0$, $M=1$, $\sigma=1$.
+    Hypotheses: a number field, such as the rationals. *)
+Theorem FJ21_E8_unique_needs_second (r := nth 0 [:: q 0%N; p 0%N; p 1%N; p 2%N]) :
+  r 0%N = q 0%N /\ forall j, (j < 3)%N -> (1 - 0) *: p j + 0 *: p j.+1 = 1 *: ((1 - 1) *: r j + 1 *: r j.+1).
+Proof.
+by split=> // j lt_j; rewrite subr0 subrr !scale1r !scale0r addr0 add0r; case: j lt_j => [|[|[|//]]].
+Qed.
+
+(** FJ21.E8 unique_needs_first: nor is one determined without $d_0$: $2d_1-c_0$, $d_1$, $\frac12(c_1+d_1)$, $\frac12c_2+\frac14(c_1+d_1)$ with $\Lambda=0$, $M=2$, $\sigma=1$.
+    Hypotheses: a number field, such as the rationals. *)
+Theorem FJ21_E8_unique_needs_first (x := 2%:R^-1 *: (p 1%N + q 1%N)) (r := nth 0 [:: 2%:R *: q 1%N - p 0%N; q 1%N; x; 2%:R^-1 *: (p 2%N + x)]) :
+  r 1%N = q 1%N /\ forall j, (j < 3)%N -> (1 - 0) *: p j + 0 *: p j.+1 = 1 *: ((1 - 2%:R) *: r j + 2%:R *: r j.+1).
+Proof.
+have n2 : 2%:R != 0 :> F by rewrite pnatr_eq0.
+split=> // j lt_j; rewrite subr0 !scale1r scale0r addr0 (_ : 1 - 2%:R = -1) ?scaleN1r; last by ring.
+case: j lt_j => [|[|[|//]]] _; rewrite /r /x /=; first by rewrite opprB subrK.
+- by rewrite scalerA mulfV // scale1r addrC addrK.
+by rewrite [X in _ + X]scalerA mulfV // scale1r addrC addrK.
+Qed.
+
 Definition elevated_p := nth 0 [:: weighted 1 0 0 0; weighted 1 (9%:R / 4%:R) (9%:R / 4%:R) 0;
   weighted (4%:R / 5%:R) (27%:R / 8%:R) 3%:R 0; weighted (79%:R / 120%:R) (341%:R / 79%:R) (162%:R / 79%:R) 0; weighted (5%:R / 6%:R) 5%:R 0 0].
 Definition elevated_q := nth 0 [:: weighted 1 0 0 2%:R; weighted 1 (3%:R / 2%:R) (3%:R / 2%:R) (11%:R / 4%:R);

@@ -1,4 +1,5 @@
-(* FJ21, (4.3) over the rational functions: what happens without the hypotheses of the theorems, one counterexample each. *)
+(* FJ21, (4.3) over the rational functions: what happens without the hypotheses of the theorems, one counterexample each, and why the example of
+   FJ21_4_gauge.v without a rational factor is none in characteristic 2. *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves Points Functions FJ21_3_theorem FJ21_3_needs FJ21_4_gauge.
 Set Implicit Arguments.
@@ -38,3 +39,36 @@ split.
 by rewrite fderiv1 mulr1 => /eqP; rewrite eq_sym oppr_eq0 oner_eq0.
 Qed.
 End Needs.
+
+Section Characteristic.
+Variable F : fieldType.
+Notation K := {fraction {poly F}}.
+Implicit Types (lam mu nu x : K).
+
+Lemma double0 (g : {poly F}) : 2%:R = 0 :> F -> g *+ 2 = 0.
+Proof. by move=> two; rewrite -mulr_natl -(rmorph_nat [rmorphism of @polyC F]) two rmorph0 mul0r. Qed.
+
+(* In characteristic 2 every rational function has the second derivative 0. *)
+Lemma second_derivative x : 2%:R = 0 :> F -> fderiv (fderiv x) = 0.
+Proof.
+move=> two; have second (g : {poly F}) : g^`()^`() = 0 by rewrite -derivn1 -derivSn nderivn_def double0.
+have [f [g [g0 ->]]] := fraction_ex x; rewrite !fderiv_div ?expf_neq0 // deriv_exp -[_ *+ 2]mulr_natl.
+have -> : (2%:R : {poly F}) = 0 by rewrite -(rmorph_nat [rmorphism of @polyC F]) two rmorph0.
+rewrite mul0r mulr0 subr0 derivB !derivM !second mul0r mulr0 add0r addr0 subrr mul0r tofrac0 mul0r //.
+Qed.
+
+(** FJ21.4.3 characteristic: in characteristic 2 a factor is always there: $f=\nu$, as $\nu'=-\nu^2$.
+    Hypotheses: $2=0$ in the field; $p$, $W$, $W'$ are independent over the rational functions. *)
+Theorem FJ21_4_3_characteristic m (P Q : 'rV[K]_m) lam mu nu : 2%:R = 0 :> F -> free P (Q - P) (pfderiv (Q - P)) ->
+  fframe P Q lam mu nu -> exists lam' mu', fframe (nu *: P) (nu *: Q) lam' mu' 0.
+Proof.
+move=> two fr e; apply/(FJ21_4_3_cancel nu fr e).
+have second (R : 'rV[K]_m) : pfderiv (pfderiv R) = 0 by apply/rowP=> k; rewrite !mxE second_derivative.
+have derivD (R S : 'rV[K]_m) : pfderiv (R + S) = pfderiv R + pfderiv S by apply/rowP=> k; rewrite !mxE fderivD.
+move: e; rewrite /fframe; move: (Q - P) fr => V fr e.
+have := second P; rewrite {1}e !derivD !pfderivZ second e scaler0 addr0; move: (pfderiv V) fr => V' fr e2.
+have /fr[+ _ _] : (fderiv nu + nu * nu) *: P + (fderiv lam + nu * lam) *: V + (lam + fderiv mu + nu * mu) *: V' = 0.
+  by rewrite -[RHS]e2; by_entries k; ring.
+by move/eqP; rewrite addr_eq0 => /eqP.
+Qed.
+End Characteristic.

@@ -1,6 +1,6 @@
 (* FJ21, section 5: what happens without the hypotheses of the theorems, one counterexample each. The first are values at one parameter, as in Needs_FJ21.v. *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_blossoms FJ21_4 FJ21_5 FJ21_5_changes Needs_blossoms Needs_FJ21.
+From Torse Require Import Blossom Curves Points FJ07_3_blossoms FJ21_4 FJ21_5 FJ21_5_changes Insertion Needs_blossoms Needs_FJ21.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -205,3 +205,32 @@ have M0 : M = 0 by apply: (mulfI b0); move: h2; rewrite s0 => h2; apply: (by_mul
 by apply: one_is_not_zero; rewrite -[RHS]a0 M0; ring.
 Qed.
 End Moebius.
+
+Section Insertion.
+Variable F : fieldType.
+Implicit Types (a M s : F).
+
+(** FJ21.K relation_needs_first: for $n=2$ and the knots $0,1,a,0$ the points $1,0,0$ and $q=0$ have $p[t,a]=0=\sigma q[t,M]$; with $0$ inserted as knot $1$ Boehm's points of
+    the first piece, over the knots $0,0,1,a$, have $\hat p[0,a]=1$.
+    Hypotheses: $a\ne0$ and $a\ne1$. *)
+Theorem FJ21_K_relation_needs_first a M s (u := listed [:: 0; 1; a; 0]) (c := fun i => const_mx (listed [:: 1; 0; 0] i) : 'rV[F]_1) (d := fun=> 0 : 'rV[F]_1)
+    (u' := insert_knot 1 0 u) : a != 0 -> a != 1 ->
+  [/\ span 2 u, span 2 u', forall t, pblossom u c [:: at_ a; at_ t] = s *: pblossom u d [:: at_ M; at_ t]
+    & pblossom u' (insert_points 2 1 0 u c) [:: at_ a; at_ 0] <> s *: pblossom u' (insert_points 2 1 0 u d) [:: at_ M; at_ 0]].
+Proof.
+move=> a0 a1; have a1' : a - 1 != 0 by rewrite subr_eq0.
+have simp := (mul0r, mulr0, mul1r, mulr1, addr0, add0r, subrr, subr0, sub0r, oppr0, divr1).
+have zero v (w : nat -> F) (e : nat -> 'rV[F]_1) : e =1 d -> pblossom w e v = 0.
+  by move=> ed; apply/rowP=> k; rewrite !mxE -[RHS](blossom0 w v); apply: blossom_ext => i _; rewrite /coord ed mxE.
+split.
+- by move=> [|[|[|//]]] [|[|[|[|//]]]] // _ _; rewrite unitfE /u /listed /= ?subr0 ?sub0r ?oppr_eq0 ?oner_eq0.
+- by move=> [|[|[|//]]] [|[|[|[|//]]]] // _ _; rewrite unitfE /u' /insert_knot /u /listed /= ?subr0 ?oner_eq0.
+- move=> t; rewrite [X in _ = s *: X]zero // scaler0; apply/rowP=> k; rewrite !mxE /= /step /shift /u /coord /c /listed /= !mxE /=.
+  by rewrite !simp.
+rewrite [X in _ <> s *: X]zero; last first.
+  move=> i; apply/rowP=> k; rewrite !mxE /insert_point /step /coord !mxE; case: ifP => // _; case: ifP => // _.
+  by rewrite !simp.
+rewrite scaler0 => /rowP/(_ 0); rewrite !mxE /= /step /shift /u' /insert_knot /insert_points /insert_point /u /coord /c /listed /= !mxE /=.
+by rewrite /step /= !mxE /= !simp mulfV // !simp subrK => /eqP; rewrite oner_eq0.
+Qed.
+End Insertion.

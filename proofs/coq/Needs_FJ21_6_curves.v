@@ -27,6 +27,10 @@ split=> [k|]; first by rewrite mxE size_exp_XsubC.
 by exists 0; rewrite mxE; have := monic_neq0 (monic_exp n.+1 (monicXsubC x)); rewrite -lead_coef_eq0 lead_coefE size_exp_XsubC.
 Qed.
 
+(** FJ21.T6.1 full_needs_degree: for $r=0$ no row has the degree $n$. *)
+Theorem FJ21_T6_1_full_needs_degree n x : ~ degree_is n (patch n (0 : 'rV[{poly F}]_1) x).
+Proof. by case=> _ [k]; rewrite !mxE linear0 mulr0 addr0 coef0 eqxx. Qed.
+
 (** FJ21.T6.1 subspace_needs_distinct: for $\Lambda=M$ both rows of $r=(t-M)^{n+1}$ are 0, which lies in every subspace, and $r$ is not 0.
     Hypotheses: $n+1\ne0$ in the field. *)
 Theorem FJ21_T6_1_subspace_needs_distinct n M (r := const_mx (('X - M%:P) ^+ n.+1) : 'rV[{poly F}]_1) : n.+1%:R != 0 :> F ->

@@ -126,6 +126,14 @@ rewrite er; split.
 - by exists 1, (-1); rewrite scale1r scaleN1r es addrK.
 by exists 0, 1; rewrite scale0r add0r scale1r.
 Qed.
+
+(** FJ21.T6.1 rulings_needs_distinct: for $\Lambda=M$ the rows $p=q$ span no ruling: $r=(1,t)$, where $r'$ is no multiple of $p$. *)
+Theorem FJ21_T6_1_rulings_needs_distinct n M (r := \row_j nth 0 [:: 1; 'X] j : 'rV[{poly F}]_2) :
+  ~ same_rulings (pfun r) (pfun (pderiv r)) (pfun (patch n r M)) (pfun (patch n r M)).
+Proof.
+case=> _ _ _ [i [j]]; rewrite -scalerDl => /rowP e; have := (e 0, e 1); rewrite !mxE /= derivX -polyC1 derivC mulr0 addr0 polyC1.
+by rewrite tofrac0 tofrac1 mulr1 => -[<- /eqP]; rewrite mul0r oner_eq0.
+Qed.
 End Rows.
 
 Section Functions.
