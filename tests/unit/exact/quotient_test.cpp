@@ -51,7 +51,8 @@ TEST(QuotientEnclosure, BeyondTheRangeOfDoubles) {
   const Interval negative = quotient_enclosure(-huge, x);
   EXPECT_EQ(negative.lower(), -detail::infinity);
   EXPECT_EQ(negative.upper(), std::numeric_limits<double>::lowest());
-  EXPECT_TRUE(quotient_enclosure(Q(0), huge).contains(0));
+  EXPECT_EQ(quotient_enclosure(Q(0), huge).lower(), 0);
+  EXPECT_EQ(quotient_enclosure(Q(0), huge).upper(), 0);
 }
 
 TEST(QuotientEnclosure, IsExactForShortNumbers) {
@@ -104,6 +105,14 @@ TEST(RoundedQuotient, IsBetweenTheQuotientsOfItsErrors) {
     EXPECT_LE(x.upper().value, (1 + r) / (2 - s) * (1 + 0x1p-40));
     EXPECT_GE(x.lower_at_end(), (1 - r) / (2 + s) * (1 - 0x1p-40));
   }
+}
+
+TEST(RoundedQuotient, IsNotNegative) {
+  const RoundedQuotient x(constant(4, -1, 0), constant(4, 2, 0));
+  EXPECT_EQ(x.upper().nominal, 0);
+  EXPECT_GE(x.upper().value, 0);
+  EXPECT_LE(x.upper().value, 0x1p-1000);
+  EXPECT_EQ(x.lower_at_begin(), 0);
 }
 
 TEST(RoundedQuotient, IsUnboundedWhereItsDenominatorMayVanish) {

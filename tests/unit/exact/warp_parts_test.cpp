@@ -123,6 +123,17 @@ TEST(Search, TheBudgetsEndCountsWhatWasNotLookedAt) {
   EXPECT_EQ(of_steep.upper, 1);
 }
 
+/// With a tolerance of 0.1 an error is too large where it adds more than 5 %, or hides that the threshold holds.
+TEST(Search, ErrorsThatKeepABoundHigh) {
+  WarpGoal goal;
+  goal.tolerance = 0.1;
+  EXPECT_TRUE(detail::error_rules({0.2, 0.1}, 0.05, goal));
+  EXPECT_TRUE(detail::error_rules({0.106, 0.1}, 0.05, goal));
+  EXPECT_FALSE(detail::error_rules({0.104, 0.1}, 0.05, goal));
+  EXPECT_TRUE(detail::error_rules({0.104, 0.1}, 0.1, goal));
+  EXPECT_TRUE(detail::error_rules({0.104, 0.1}, 0.102, goal));
+}
+
 TEST(CommonFactor, OfConstantVectors) {
   const auto form = [](std::vector<Q> a) { return BinaryForm<Q>(std::move(a)); };
   const VectorWithZeros constant = without_common_zeros({form({Q(2)}), form({Q(0)}), form({Q(-6)})});

@@ -134,10 +134,15 @@ TEST(Fit, CoefficientsInOrderWithTheEndsAndTheNumberAskedFor) {
 }
 
 /// Random rails, one above the other by 2.
-Rails drawn_rails(std::uint64_t seed) {
+std::pair<test::ExactCurve, test::ExactCurve> drawn_curves(std::uint64_t seed) {
   test::ExactCurve d = test::drawn_curve(test::knots(3, {0, 0, 0, 1, 2, 2, 2}), true, 2 * seed + 1);
   for (Vec<Rational, 4>& row : d.control) row[3] += Rational(2) * row[0];
-  return {test::in_doubles(test::drawn_curve(bezier_knots<Rational>(4), false, 2 * seed)), test::in_doubles(d)};
+  return {test::drawn_curve(bezier_knots<Rational>(4), false, 2 * seed), d};
+}
+
+Rails drawn_rails(std::uint64_t seed) {
+  const auto [c, d] = drawn_curves(seed);
+  return {test::in_doubles(c), test::in_doubles(d)};
 }
 
 /// With better knots the first of these strips is worse, the second much better.
@@ -211,6 +216,27 @@ TEST(Fit, WhereTheEndsDecideTheMaximumTheMeanDecides) {
     const std::vector<double> expected = coefficients(sides_fit(seed, Measure::mean, 12).mapping);
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-3) << seed << " " << i;
   }
+}
+
+/// The same strip drawn from the other end: what is shifted backwards in one is shifted forwards in the other.
+TEST(Fit, ReversedRailsAreShiftedAsWell) {
+  const auto reversed = [](const test::ExactCurve& curve) {
+    std::vector<Rational> list;
+    for (const Rational& t : curve.knots.list()) list.push_back(-t);
+    std::ranges::reverse(list);
+    std::vector<Vec<Rational, 4>> rows = curve.control;
+    std::ranges::reverse(rows);
+    return test::ExactCurve(KnotList<Rational>(curve.knots.degree(), list), rows);
+  };
+  FitOptions options;
+  options.coefficients = 12;
+  options.kind = AngleKind::sides;
+  const auto [c, d] = drawn_curves(11);
+  const Fit forwards = fit_rails({test::in_doubles(c), test::in_doubles(d)}, options);
+  const Fit backwards = fit_rails({test::in_doubles(reversed(c)), test::in_doubles(reversed(d))}, options);
+  EXPECT_GT(std::ranges::count(forwards.stages, "shifted", &FitStage::start), 0);
+  EXPECT_GT(std::ranges::count(backwards.stages, "shifted", &FitStage::start), 0);
+  EXPECT_NEAR(backwards.value / forwards.value, 1, 0.02);
 }
 
 TEST(SampledRulings, AreSpreadEvenlyWithTheirWarp) {
