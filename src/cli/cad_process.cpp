@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <string_view>
 
 #include "torse/cli/plugin.hpp"
 #include "torse/io/cad_bytes.hpp"
@@ -121,14 +122,15 @@ CadCrash failure_of(const std::string& file, const End& end, bool in_time, unsig
   return {file, fails + "it crashed (" + how + " MiB in use)", end.seconds < seconds ? seconds - end.seconds : 0};
 }
 
-/// The bytes of a file once more as a file, since OpenCASCADE opens files by name and these may be those of a pipe.
+/// The bytes of a file once more as a file, since OpenCASCADE opens files by name and these may be those of a pipe;
+/// without a byte order mark, after which it reads nothing.
 class MemoryFile {
  public:
-  explicit MemoryFile(const std::string& bytes) : descriptor_(memfd_create("torse", MFD_CLOEXEC)) {
-    for (std::size_t done = 0; descriptor_ >= 0 && done < bytes.size();) {
-      const ssize_t count = write(descriptor_, bytes.data() + done, bytes.size() - done);
-      if (count <= 0) throw Error(std::string("cannot be copied to memory: ") + std::strerror(errno));
-      done += static_cast<std::size_t>(count);
+  explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("torse", MFD_CLOEXEC)) {
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    // limits::file_bytes are far less than what Linux writes at once.
+    if (write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
+      throw Error(std::string("cannot be copied to memory: ") + std::strerror(errno));
     }
   }
   MemoryFile(const MemoryFile&) = delete;

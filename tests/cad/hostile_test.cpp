@@ -53,6 +53,11 @@ TEST_F(HostileCad, NotWhatTheNamePromises) {
   std::string compressed = iges.file();
   compressed[72] = 'C';
   refused("a.igs", compressed, "compressed");
+  compressed[72] = 'B';
+  refused("a.igs", compressed, "binary IGES");
+  for (const char* name : {"a.STEP", "a.Stp", "a.P21"}) refused(name, "solid cube", "begins with ISO-10303-21");
+  for (const char* name : {"a.IGS", "a.Iges"}) refused(name, "hello", "column 73");
+  EXPECT_EQ(check("a.txt", "\xEF\xBB\xBF \r\n" + patch("1.,1.,0.")).exit, 0);
 }
 
 TEST_F(HostileCad, NumbersThatAreNone) {
