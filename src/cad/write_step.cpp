@@ -98,20 +98,16 @@ TopoDS_Wire wire_of(const CadSheet& sheet, const Handle(Geom_BSplineSurface) & s
     const std::array<double, 2>& b = sheet.outline[(i + 1) % sheet.outline.size()];
     if (a == b) continue;
     const Handle(Geom2d_TrimmedCurve) side = GCE2d_MakeSegment(gp_Pnt2d(a[0], a[1]), gp_Pnt2d(b[0], b[1]));
-    BRepBuilderAPI_MakeEdge edge(side, surface);
-    if (!edge.IsDone()) throw Unwritable("OpenCASCADE makes no edge of a side of its outline");
-    wire.Add(edge.Edge());
+    wire.Add(BRepBuilderAPI_MakeEdge(side, surface).Edge());
   }
-  if (!wire.IsDone()) throw Unwritable("OpenCASCADE makes no wire of its outline");
   return wire.Wire();
 }
 
 TopoDS_Face trimmed_face(const CadSheet& sheet) {
   const Handle(Geom_BSplineSurface) surface = surface_of(sheet);
-  BRepBuilderAPI_MakeFace face(surface, wire_of(sheet, surface));
-  if (!face.IsDone()) throw Unwritable("OpenCASCADE makes no face within its outline");
-  BRepLib::BuildCurves3d(face.Face());
-  return face.Face();
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, wire_of(sheet, surface)).Face();
+  BRepLib::BuildCurves3d(face);
+  return face;
 }
 
 TopoDS_Face face_of(const CadSheet& sheet) {
@@ -120,9 +116,7 @@ TopoDS_Face face_of(const CadSheet& sheet) {
                      std::to_string(most_degree()) + " at most");
   }
   if (!sheet.outline.empty()) return trimmed_face(sheet);
-  BRepBuilderAPI_MakeFace face(surface_of(sheet), Precision::Confusion());
-  if (!face.IsDone()) throw Unwritable("OpenCASCADE makes no face of it");
-  return face.Face();
+  return BRepBuilderAPI_MakeFace(surface_of(sheet), Precision::Confusion()).Face();
 }
 
 /// Interface_FloatWriter drops exponents where it drops zeros, so all 17 digits stand.

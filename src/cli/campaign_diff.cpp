@@ -21,8 +21,8 @@ using fuzz::Distribution;
 /// A count that differs between the sums of A and B.
 struct Shift {
   std::string label;  ///< "key=value"
-  std::uint64_t a = 0;
-  std::uint64_t b = 0;
+  std::uint64_t a{};
+  std::uint64_t b{};
 };
 
 void add_shifts(const Distribution& a, const Distribution& b, std::vector<Shift>& shifts) {

@@ -50,7 +50,7 @@ struct CadWishes {
   /// Of the faces' numbers, and of the file.
   LengthUnit unit;
   /// In that unit.
-  double tolerance = 0;
+  double tolerance{};
   /// Sets the developable flag of a surface that is not exactly developable as written, but whose warp is at most this.
   std::optional<Angle> max_warp{};
   /// The file's name, for errors.

@@ -21,9 +21,9 @@ namespace torse::cli {
 /// Of a face of a CAD file. Lengths are in the file's unit, `metres` long.
 struct CadNote {
   std::string unit;
-  double metres = 0;
+  double metres{};
   /// 0 where the file states none.
-  double tolerance = 0;
+  double tolerance{};
   /// "plane", "cylinder", "B-spline surface", ...
   std::string type;
   /// Whether the face has a smaller range of parameters than its surface; then `surface` is that part.

@@ -94,7 +94,7 @@ struct FittedStrip {
   std::optional<Rational> seam;                   ///< of closed rails, where d begins if not at its own begin
   std::vector<std::string> notes;                 ///< what is unusual about the rails
   quasi::Range range;                             ///< of the surface within the first rail as the fit had it
-  double threshold = 0;                           ///< degrees: the warp beyond which `findings` tell why
+  double threshold{};                             ///< degrees: the warp beyond which `findings` tell why
   std::vector<quasi::Finding> findings;           ///< parameters over [0, 1]
 };
 

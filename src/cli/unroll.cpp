@@ -36,11 +36,10 @@ Face face_of(const FaceInput& input) {
 
 /// The unit of a CAD file, or that of --unit.
 LengthUnit unit_of(const UnrollOptions& options, const Face& face) {
-  const bool stated = face.cad && face.cad->metres > 0;
   if (options.unit.empty()) {
-    return stated ? LengthUnit{face.cad->unit, Rational::from_double(face.cad->metres)} : millimetres();
+    return face.cad ? LengthUnit{face.cad->unit, Rational::from_double(face.cad->metres)} : millimetres();
   }
-  if (stated) throw UsageError("--unit: the file states its own, " + face.cad->unit);
+  if (face.cad) throw UsageError("--unit: the file states its own, " + face.cad->unit);
   return read_unit(options.unit);
 }
 

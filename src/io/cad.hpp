@@ -155,10 +155,10 @@ struct CadSheet {
 struct CadSheets {
   /// OpenCASCADE's name of the unit for STEP ("MM", "INCH", ...), the unit flag of IGES, and the unit in metres.
   std::string step_unit{};
-  int iges_unit = 2;
-  double metres = 0;
+  int iges_unit{};
+  double metres{};
   /// In that unit, positive.
-  double tolerance = 0;
+  double tolerance{};
   std::vector<CadSheet> sheets{};
 };
 

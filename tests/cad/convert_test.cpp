@@ -135,23 +135,25 @@ TEST_F(ConvertCad, EveryDoubleComesBack) {
   }
 }
 
-/// The numbers of all curves (entity 126) of an IGES text, by columns and commas alone.
-std::vector<std::vector<double>> curves_of(const std::string& text) {
+/// The numbers of all entities of a type of an IGES text, by columns and commas alone.
+std::vector<std::vector<double>> entities_of(const std::string& text, int type) {
   std::istringstream lines(text);
   std::string parameters;
   for (std::string line; std::getline(lines, line);) {
     if (line.size() >= 73 && line[72] == 'P') parameters += line.substr(0, 64);
   }
-  std::vector<std::vector<double>> curves;
+  std::vector<std::vector<double>> found;
   std::istringstream entities(parameters);
   for (std::string entity; std::getline(entities, entity, ';');) {
     std::istringstream fields(entity);
     std::vector<double> numbers;
     for (std::string field; std::getline(fields, field, ',');) numbers.push_back(std::strtod(field.c_str(), nullptr));
-    if (numbers[0] == 126) curves.push_back(std::move(numbers));
+    if (numbers[0] == type) found.push_back(std::move(numbers));
   }
-  return curves;
+  return found;
 }
+
+std::vector<std::vector<double>> curves_of(const std::string& text) { return entities_of(text, 126); }
 
 TEST_F(ConvertCad, IgesHoldsTwoCurvesOfEqualKnots) {
   const Net net = random_net(9, true);
@@ -183,11 +185,29 @@ TEST_F(ConvertCad, IgesTellsWhichCurvesAreClosed) {
   EXPECT_EQ(curves[1][4], 0);
 }
 
+TEST_F(ConvertCad, AFileThatStatesNoToleranceGetsOne) {
+  for (const auto& [stated, kept] : {std::pair("1.E-05", 1e-5), std::pair("0.0000", 1e-7)}) {
+    IgesText iges;
+    iges.ruled(iges.line("0.,0.,0.", "1.,0.,0."), iges.line("0.,1.,0.", "1.,1.,0."), 0, 1, {.form = 1});
+    std::string text = iges.file();
+    text.replace(text.find("1.E-05"), 6, stated);
+    spill(path("part.igs"), text);
+    ASSERT_EQ(run_program({"convert", path("part.igs"), "-o", path("a.igs")}).exit, 0);
+    EXPECT_EQ(faces("a.igs")[0].cad->tolerance, kept);
+  }
+}
+
 TEST_F(ConvertCad, TheFlagNeedsACertificate) {
   const json exact = report(plane.file(), "a.igs");
   EXPECT_EQ(exact.at("developable"), true);
   EXPECT_EQ(exact.at("developable_flag"), true);
   EXPECT_EQ(faces("a.igs")[0].cad->claimed_developable, true);
+  // Two curves, the second in the first one's direction, then the flag.
+  const auto flags = [&](const char* file) {
+    const std::vector<double> ruled = entities_of(slurp(path(file)), 118).at(0);
+    return std::vector<double>(ruled.begin() + 3, ruled.begin() + 5);
+  };
+  EXPECT_EQ(flags("a.igs"), (std::vector<double>{0, 1}));
 
   const json rounded = report(thirds, "b.igs");
   EXPECT_GT(rounded.at("rounded").at("changed"), 0);
@@ -196,6 +216,7 @@ TEST_F(ConvertCad, TheFlagNeedsACertificate) {
   EXPECT_GT(rounded.at("max_warp_deg").at("lo"), 0.0);
   EXPECT_LT(rounded.at("max_warp_deg").at("hi"), 1e-12);
   EXPECT_EQ(faces("b.igs")[0].cad->claimed_developable, false);
+  EXPECT_EQ(flags("b.igs"), (std::vector<double>{0, 0}));
 
   EXPECT_EQ(report(thirds, "c.igs", {"--max-warp", "1e-9"}).at("developable_flag"), true);
   EXPECT_EQ(report(thirds, "d.igs", {"--max-warp", "1e-30"}).at("developable_flag"), false);

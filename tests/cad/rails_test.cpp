@@ -103,6 +103,48 @@ TEST_F(CadRails, AreChosenByNameAndNumber) {
   }
 }
 
+TEST_F(CadRails, NamedCAndDThoughThereAreOthers) {
+  StepText step;
+  const auto line = [&](const std::string& name, const std::string& x) {
+    return spline(step, name, 1, {x + ",0.,0.", x + ",1.,0."}, "(2,2),(0.,1.)");
+  };
+  const std::vector<std::string> curves{line("d", "1."), line("twice", "2."), line("c", "3."), line("twice", "4.")};
+  const std::string path = file("rails.step", step.file(curves, false));
+  const InputRails named = cli::read_input_rails({.file = path});
+  EXPECT_EQ(named.rails.c.net.points.front()[0], Q(3));
+  EXPECT_EQ(named.rails.d.net.points.front()[0], Q(1));
+  EXPECT_FALSE(cli::opposite(named.rails));
+  EXPECT_TRUE(cli::opposite(cli::read_input_rails({.file = path, .reverse = true}).rails));
+  const auto refused = [&](const cli::RailsInput& input) {
+    try {
+      cli::read_input_rails(input);
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refused({.file = path, .c = "twice", .d = "d"}),
+              HasSubstr("2 curves are called \"twice\": choose by number"));
+  EXPECT_EQ(refused({.file = path, .c = "c"}), "--c, --d: expected both or none");
+  EXPECT_EQ(refused({.file = path, .d = "d"}), "--c, --d: expected both or none");
+}
+
+TEST_F(CadRails, AnErrorListsTwelveCurves) {
+  for (const int count : {12, 13}) {
+    StepText step;
+    std::vector<std::string> curves;
+    for (int i = 0; i < count; ++i)
+      curves.push_back(spline(step, "", 1, {std::to_string(i) + ".,0.,0.", "0.,1.,0."}, "(2,2),(0.,1.)"));
+    try {
+      cli::read_input_rails({.file = file("rails.step", step.file(curves, false))});
+      FAIL() << count;
+    } catch (const FileError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("found " + std::to_string(count) + " curves: 1 \"curve 1\", 2 "));
+      EXPECT_THAT(error.what(), HasSubstr(count == 12 ? "12 \"curve 12\"; choose" : "12 \"curve 12\", ...; choose"));
+    }
+  }
+}
+
 TEST_F(CadRails, ArcsBecomeRationalCurvesOnTheCircle) {
   StepText step;
   const std::string c = arc(step);

@@ -206,6 +206,27 @@ TEST_F(Campaign, AFailureOfAnotherBuildIsRunAgain) {
   const ProgramResult diff = torse({"campaign", "diff", runs_.file("before"), runs_.file("a")});
   EXPECT_EQ(diff.exit, 1);
   EXPECT_THAT(diff.out, HasSubstr("fails in A only: 1 seeds: 3\n"));
+  const json report =
+      json::parse(torse({"campaign", "diff", runs_.file("before"), runs_.file("a"), "--json", "-"}).out);
+  EXPECT_EQ(report["torse"], 1);
+  EXPECT_EQ(report["a"], runs_.file("before"));
+  EXPECT_EQ(report["b"], runs_.file("a"));
+  EXPECT_EQ(report["equal"], false);
+  ASSERT_EQ(report["properties"].size(), 1U);
+  const json& property = report["properties"][0];
+  EXPECT_EQ(property["property"], "text.number");
+  EXPECT_EQ(property["effort"], "quick");
+  EXPECT_EQ(property["fixed"], json::parse("[[3, 3]]"));
+  EXPECT_EQ(property["shifts"]["failed"], json({{"a", 4}, {"b", 0}}));
+  std::uint64_t seeds = property["same"];
+  for (const char* list : {"broken", "fixed", "changed", "only_in_a", "only_in_b"}) {
+    for (const json& interval : property[list])
+      seeds += interval[1].get<std::uint64_t>() - interval[0].get<std::uint64_t>() + 1;
+  }
+  EXPECT_EQ(seeds, 3U);
+  EXPECT_EQ(torse({"campaign", "diff", runs_.file("before"), runs_.file("a"), "--json", runs_.file("diff.json")}).out,
+            diff.out);
+  EXPECT_EQ(json::parse(slurp(runs_.file("diff.json"))), report);
   EXPECT_THAT(torse({"campaign", "diff", runs_.file("a"), runs_.file("before")}).out,
               HasSubstr("fails in B only: 1 seeds: 3\n"));
 }

@@ -103,11 +103,17 @@ TEST_F(Construct, InterpolationReachesBothRulings) {
   const json c{{"points", json::parse("[[0,0,0],[1,3,6],[2,-1,1],[5,2,2]]")}};  // D = 6, -5, 1: 2 M^2 - 7 M + 6
   const json input =
       input_of("interpolate", {{"degree", 3}, {"c", c}, {"va", {1, 0, 0}}, {"vb", {0, 1, 0}}, {"Lambda", 5}});
+  json same = input;
+  same["Lambda"] = "3/2";
+  expect_refused(same, ": Lambda (line 1");
+  EXPECT_EQ(run(same, {"--branch", "2"}).exit, 0);
   const std::pair<const char*, Q> branches[] = {{"1", ratio<Q>(3, 2)}, {"2", Q(2)}};
   for (const auto& [branch, m] : branches) {
     const ProgramResult result = run(input, {"--branch", branch});
     ASSERT_EQ(result.exit, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr("branch 2"));
+    EXPECT_THAT(result.out, HasSubstr("branch 1: M* = 3/2 (exact)"));
+    EXPECT_THAT(result.out, HasSubstr("branch 2: M* = 2 (exact)"));
+    EXPECT_THAT(result.out, ::testing::Not(HasSubstr("rounded")));
     const RuledFile<Q> made = surface();
     EXPECT_TRUE(parallel(difference(made.d.points[0], made.c.points[0]), Point3(Q(1), Q(0), Q(0))));
     EXPECT_TRUE(parallel(difference(made.d.points[3], made.c.points[3]), Point3(Q(0), Q(1), Q(0))));
@@ -169,6 +175,8 @@ TEST_F(Construct, WrongInputsAreNamedAndLeaveNoFile) {
   expect_refused(input_of("tangent", {{"c", {{"points", quartic}}}, {"knots", {0, 0, 1, 1, 2, 2}}}),
                  "a jump of it at u = 1");
   expect_refused(input_of("interpolate", {{"va", {0, 0, 0}}, {"vb", {1, 0, 0}}, {"Lambda", 1}}), ": va (line 1");
+  expect_refused(input_of("interpolate", {{"va", {1, 0, 0}}, {"vb", {0, 0, 0}}, {"Lambda", 2}}), ": vb (line 1");
+  expect_refused(input_of("interpolate", {{"va", {1, 2, 3}}, {"vb", {-2, 1, 2}}, {"Lambda", 1}}), ": Lambda (line 1");
   expect_refused(input_of("interpolate", {{"va", {1, 2, 3}}, {"vb", {-3, -1, -1}}, {"Lambda", 2}}),
                  "meet in an end point");
   expect_refused(

@@ -131,6 +131,23 @@ TEST_F(Effort, OnlySmallSurfacesAreRepaired) {
   EXPECT_EQ(run(long_cone(3, 10001), "check", {"--repair", out("repaired.json")}).exit, 0);  // developable as it is
 }
 
+/// The fitted surface is a file that torse check would refuse.
+TEST_F(Effort, RailsOfLongNumbersAreNotFitted) {
+  json rails{{"torse", 1}, {"type", "rails"}};
+  unsigned seed = 0;
+  for (const char* name : {"c", "d"}) {
+    rails[name]["degree"] = 3;
+    for (int i = 0; i < 4; ++i) {
+      const auto near = [&](int x) { return std::to_string(x) + "." + digits(13000, ++seed); };
+      rails[name]["points"].push_back({near(i), near(i * i % 3), near(name[0] == 'c' ? 0 : 4)});
+    }
+  }
+  const ProgramResult result = run(rails, "fit", {"--coefficients", "10", "-o", out("strip.json")});
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.err, HasSubstr("net.json: expected a surface of effort 2^40 at most, found 2^40."));
+  EXPECT_FALSE(std::filesystem::exists(out("strip.json")));
+}
+
 /// A clamped curve of so many points (i, i^2 mod 97, i^3 mod 89) between skew end rulings.
 json interpolation(int degree, int count) {
   json input{{"torse", 1}, {"type", "construct"}, {"method", "interpolate"}, {"degree", degree}, {"Lambda", "-1/3"}};
@@ -159,6 +176,8 @@ TEST_F(Effort, BranchesOfLongNumbersAreNotSearched) {
   const ProgramResult fractions = run_construct("interpolate", input);
   EXPECT_EQ(fractions.exit, 2);
   EXPECT_THAT(fractions.err, HasSubstr("expected a polynomial in M of effort 2^31 at most, found 2^31."));
+  EXPECT_THAT(run_construct("interpolate", interpolation(3, 202)).err,
+              HasSubstr("expected at most 201 control points to interpolate, found 202"));
   input = interpolation(3, 201);
   input["Lambda"] = digits(1000, 1);
   EXPECT_THAT(run_construct("interpolate", input).err, HasSubstr("effort 2^31 at most, found 2^34."));

@@ -347,6 +347,10 @@ TEST_F(Fit, DrawsItself) {
     std::size_t quadrangles = 0;
     for (std::size_t at = svg.find("Z\"/>"); at != std::string::npos; at = svg.find("Z\"/>", at + 1)) ++quadrangles;
     EXPECT_GT(quadrangles, 400U);
+    std::size_t rulings = 0;  // every eighth, from the first on, in two strips
+    for (std::size_t at = svg.find("\"ruling\""); at != std::string::npos; at = svg.find("\"ruling\"", at + 1))
+      ++rulings;
+    EXPECT_EQ(rulings, 2 * ((quadrangles / 2 + 1 + 7) / 8));
     // Each strip in its frame of 430 by 310, which one of them fills in a direction.
     const std::regex corner("[M ]([-0-9.]+),([-0-9.]+)(?=[ Z\"])");
     double reach = 0;

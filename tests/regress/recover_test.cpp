@@ -42,8 +42,8 @@ json function(const json& numerator, const json& denominator) { return {{"num", 
 
 class Recover : public ::testing::Test {
  public:
-  std::string file(const std::string& name, const std::string& text) const {
-    spill(scratch / name, text);
+  std::string file(const std::string& name, const std::string& text = "") const {
+    if (!text.empty()) spill(scratch / name, text);
     return (scratch / name).string();
   }
 
@@ -77,6 +77,9 @@ TEST_F(Recover, Section8) {
   EXPECT_EQ(net["spans"][0]["constant"], true);
   EXPECT_TRUE(net["spans"][0]["excluded"].is_null());
   EXPECT_EQ(net["edge"], json({{"degree", 4}, {"v", function({6, 3}, {2})}}));
+  EXPECT_EQ(net["spans"][0]["edge"]["degree"], 4);
+  EXPECT_EQ(net["spans"][0]["edge"]["v"], function({6, 3}, {2}));
+  EXPECT_EQ(net["spans"][0]["edge"]["row"].size(), 4U);
   EXPECT_EQ(net["singular"], json::array());
   // By hand from C4.1 with E = Lam - M = 2/3: lambda = 3/E, mu = (M-t)/E, nu = 0.
   EXPECT_EQ(net["spans"][0]["lambda"], function({9}, {2}));
@@ -119,6 +122,34 @@ TEST_F(Recover, Section8TrimmedAndWithAKnot) {
   EXPECT_EQ(inserted["spans"][1]["from"], "2/3");
   for (const json& span : inserted["spans"]) expect_span(span, function({-4}, {3}), function({-2}, {1}), one);
   EXPECT_EQ(inserted["edge"], json({{"degree", 4}, {"v", function({6, 3}, {2})}}));
+}
+
+TEST_F(Recover, FunctionsInWords) {
+  EXPECT_EQ(run_program({"recover", file("quartic.json", quartic)}).out,
+            file("quartic.json") +
+                ": tangent\n"
+                "  t in [0, 1]:  Lambda = (-3t - 16)/9  M = (-t - 8)/3  sigma = 1\n"
+                "  edge of regression (1-v) p + v q of degree 4: v = (3t + 6)/2\n"
+                "  regular: no singular point on the patch\n");
+}
+
+/// Planes through (0, 0, 1), whose rulings are 2, 3, ... times as long as from there to c, so that each has functions
+/// of its own: twelve are shown.
+TEST_F(Recover, ManySpansAreNotAllShown) {
+  const auto shown = [&](int pieces) {
+    json net{{"torse", 1}, {"type", "ruled"}, {"degree", 1}, {"knots", json::array()}};
+    for (int i = 0; i <= pieces; ++i) {
+      net["knots"].push_back(i);
+      net["c"]["points"].push_back({i, i * i, 0});
+      net["d"]["points"].push_back({i * (i + 2), i * i * (i + 2), -i - 1});
+    }
+    const std::string text = run_program({"recover", file("fan.json", net.dump())}).out;
+    std::size_t spans = 0;
+    for (std::size_t at = text.find("  t in ["); at != std::string::npos; at = text.find("  t in [", at + 1)) ++spans;
+    return std::pair(spans, text.find("... and further spans") != std::string::npos);
+  };
+  EXPECT_EQ(shown(12), std::pair(std::size_t{12}, false));
+  EXPECT_EQ(shown(13), std::pair(std::size_t{12}, true));
 }
 
 TEST_F(Recover, TheConstantPatchIsAFileWithThoseConstants) {

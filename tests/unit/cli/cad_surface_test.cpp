@@ -54,6 +54,52 @@ TEST(CadSurface, PointsBeyondTheLimit) {
   EXPECT_EQ(place(polyline), "degree");
 }
 
+std::string place_of(const CadStrip& strip) {
+  return test::place_of([&] { surface_of(strip, cad_identity); });
+}
+
+/// A curve of degree n over uniform knots.
+CadRail uniform(int degree, int count) {
+  CadRail rail;
+  rail.degree = degree;
+  for (int i = 0; i < count; ++i) rail.points.push_back({static_cast<double>(i), 0, 0});
+  for (int i = 0; i < count + degree + 1; ++i) rail.knots.push_back(i);
+  rail.weights.assign(rail.points.size(), 1);
+  return rail;
+}
+
+/// Equal degrees 64 cost 64^2 for each of the points of both: 2048 of them are 2^23.
+TEST(CadSurface, RailsThatAreJoinedInTime) {
+  EXPECT_EQ(place_of({.surface = CadRails{uniform(64, 1024), uniform(64, 1024)}}), "");
+  EXPECT_EQ(place_of({.surface = CadRails{uniform(64, 1024), uniform(64, 1025)}}), "degree");
+}
+
+TEST(CadSurface, AnExtrusionToAPointBeginsAtOne) {
+  CadRail far = straight(1);
+  const CadPoint end{0, 2, 0};
+  EXPECT_EQ(place_of({.surface = CadExtrusion{far, {}, end}}), "");
+  far.weights[0] = 0;
+  EXPECT_EQ(place_of({.surface = CadExtrusion{far, {}, end}}), "weights");
+}
+
+/// Rails of two pieces each, as polygons on a line.
+TEST(CadSurface, SpeedsOfPiecesThatStandStill) {
+  const auto row = [](std::vector<int> x) {
+    WeightedPoints<Q, 3> points;
+    for (const int t : x) points.points.push_back(Vec<Q, 3>(Q(t), Q(0), Q(0)));
+    points.weights.assign(x.size(), Q(1));
+    return points;
+  };
+  const auto proportional = [&](std::vector<int> c, std::vector<int> d) {
+    return speeds_are_proportional({KnotList<Q>(1, {Q(0), Q(1), Q(2)}), row(std::move(c)), row(std::move(d))});
+  };
+  EXPECT_TRUE(proportional({0, 0, 2}, {5, 5, 6}));
+  EXPECT_FALSE(proportional({0, 0, 2}, {5, 6, 7}));
+  EXPECT_FALSE(proportional({0, 1, 3}, {5, 5, 6}));
+  EXPECT_TRUE(proportional({0, 1, 3}, {5, 7, 11}));
+  EXPECT_FALSE(proportional({0, 1, 3}, {5, 7, 9}));
+}
+
 std::string place_of_turn(double from, double to, double axis) {
   CadRevolution turn;
   turn.axis = {0, 0, axis};

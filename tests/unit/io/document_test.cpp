@@ -58,6 +58,26 @@ TEST(Document, SyntaxErrorsNameLineAndColumn) {
             "f: line 1, column 2: expected JSON, found invalid string: ill-formed UTF-8 byte near \"\\xff\"\"");
 }
 
+/// Long texts are shortened after 40 bytes.
+TEST(Document, ErrorsShowWhatWasFound) {
+  const auto wrong = [](const std::string& text) {
+    try {
+      Document("f", text).root().expected("a surface");
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(wrong("[1]"), "f: expected a surface, found an array of 1");
+  EXPECT_EQ(wrong(std::string(40, '7')), "f: expected a surface, found " + std::string(40, '7'));
+  EXPECT_EQ(wrong(std::string(41, '7')), "f: expected a surface, found " + std::string(40, '7') + "...");
+}
+
+TEST(Document, ANumberAloneHasAPlace) {
+  EXPECT_EQ(error_of("2e1000000000"),
+            "f: line 1, column 1: expected a number below 1e4932 (a string may hold a larger one), found "
+            "\"2e1000000000\"");
+}
+
 TEST(Document, ANullByteDoesNotEndTheText) {
   EXPECT_EQ(error_of(std::string("{}\n\0 x", 6)), "f: line 2, column 1: expected JSON, found a null byte");
   EXPECT_EQ(error_of(std::string("[12\0]", 6)), "f: line 1, column 4: expected JSON, found a null byte");

@@ -28,6 +28,21 @@ TEST(File, ReplacesTheOldOneAndLeavesNothingElse) {
   EXPECT_EQ(entries(scratch), 1U);
 }
 
+/// Numbers of files that this process has open.
+std::size_t open_files() {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {}));
+}
+
+TEST(File, NoneStaysOpen) {
+  const Scratch scratch;
+  const std::string path = (scratch / "a.json").string();
+  const std::size_t before = open_files();
+  write_file(path, "one");
+  read_file(path);
+  EXPECT_THROW(write_file("/dev/full", "one"), FileError);
+  EXPECT_EQ(open_files(), before);
+}
+
 TEST(File, FollowsLinksAndKeepsPermissions) {
   namespace fs = std::filesystem;
   const Scratch scratch;
