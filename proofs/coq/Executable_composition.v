@@ -3,8 +3,8 @@
      pascal n               C(n,0), ..., C(n,n)
      form_times f g         the product of two forms
      form_power f k         the power
-     weighted e             the form with the Bernstein coefficients e
-     rest e                 the form of 1 - e
+     form_of e             the form with the Bernstein coefficients e
+     form_of_rest e                 the form of 1 - e
      composed_program c e   the Bezier points of c(e(t)), 13
      homogeneous n p        the sum over i = 0..n of p_i X^i (1-X)^(n-i)
      form f                 the polynomial that f stands for *)
@@ -28,11 +28,11 @@ Local Notation "f $ i" := (nth (zero K) f i) (at level 8, i at level 8, format "
 Definition pascal n := iter n (fun (r : seq T) => mkseq (fun i => r$i + (if i is j.+1 then r$j else zero K)) (size r).+1) [:: one K].
 Definition form_times f g := mkseq (fun k => total K (fun i => f$i * g$(k - i)%N) 0 k.+1) (size f + size g).-1.
 Definition form_power f k := iter k (form_times f) [:: one K].
-Definition weighted e := let w := pascal (size e).-1 in mkseq (fun i => e$i * w$i) (size e).
-Definition rest e := let w := pascal (size e).-1 in let r := weighted e in mkseq (fun i => w$i - r$i) (size e).
+Definition form_of e := let w := pascal (size e).-1 in mkseq (fun i => e$i * w$i) (size e).
+Definition form_of_rest e := let w := pascal (size e).-1 in let r := form_of e in mkseq (fun i => w$i - r$i) (size e).
 Definition composed_program c e := given (Nat.ltb 0 (size c) && Nat.ltb 0 (size e)) Vertices (Value (
   let p := (size c).-1 in let d := (size e).-1 in let outer := pascal p in let inner := pascal (p * d)%N in
-  let weights := mkseq (fun i => form_times (form_power (rest e) (p - i)) (form_power (weighted e) i)) (size c) in
+  let weights := mkseq (fun i => form_times (form_power (form_of_rest e) (p - i)) (form_power (form_of e) i)) (size c) in
   mkseq (fun j => total_of V (fun i => pscale V (outer$i * (nth [::] weights i)$j / inner$j) (nth (origin V) c i)) 0 (size c)) (p * d).+1)).
 End Programs.
 
@@ -116,7 +116,7 @@ move=> sf e; rewrite /form sf; apply: eq_big_nat => i /andP[_ lt_i]; rewrite coe
 by rewrite /B polyC_nat.
 Qed.
 
-Lemma form_weighted e : (0 < size e)%N -> form (weighted K e) = bez (size e).-1 (at_list e).
+Lemma form_ofE e : (0 < size e)%N -> form (form_of K e) = bez (size e).-1 (at_list e).
 Proof.
 move=> e0; apply: form_bez; first by rewrite size_mkseq prednK.
 by move=> i le_i; rewrite nth_mkseq ?pascalE // -(prednK e0).
@@ -125,7 +125,7 @@ Qed.
 Lemma bez1 n : bez n (fun=> 1) = 1 :> {poly F}.
 Proof. by rewrite /bez -[RHS](B_sum F n); apply: eq_bigr => i _; rewrite mul1r. Qed.
 
-Lemma form_rest e : (0 < size e)%N -> form (rest K e) = 1 - bez (size e).-1 (at_list e).
+Lemma form_of_restE e : (0 < size e)%N -> form (form_of_rest K e) = 1 - bez (size e).-1 (at_list e).
 Proof.
 move=> e0; rewrite -(bez1 (size e).-1) -bez_sub; apply: form_bez; first by rewrite size_mkseq prednK.
 move=> i le_i; have lt_i : (i < size e)%N by rewrite -(prednK e0).
@@ -149,13 +149,13 @@ Proof.
 move=> ind; rewrite /composed_program !nat_ltbE /given; split=> [r|]; last first.
   by move: (size c) (size e) => [|k] [|l]; split=> // h; by [left | right | case: h].
 case: ifP => // /andP[c0 e0] er; rewrite -(Value_inj er) size_mkseq; split=> // k {r er}.
-set f := form_power K (rest K e); set g := form_power K (weighted K e).
-have [sl sr] : size (rest K e) = d.+1 /\ size (weighted K e) = d.+1 by rewrite !size_mkseq prednK.
+set f := form_power K (form_of_rest K e); set g := form_power K (form_of K e).
+have [sl sr] : size (form_of_rest K e) = d.+1 /\ size (form_of K e) = d.+1 by rewrite !size_mkseq prednK.
 have w i : (i <= p)%N -> size (form_times K (f (p - i)%N) (g i)) = (p * d).+1 /\
     form (form_times K (f (p - i)%N) (g i)) = (1 - bez d (at_list e)) ^+ (p - i) * bez d (at_list e) ^+ i.
-  move=> le_i; have [] := @form_powerE (rest K e) (p - i); first by rewrite sl.
-  have [] := @form_powerE (weighted K e) i; first by rewrite sr.
-  rewrite -/f -/g form_rest // form_weighted // sl sr => sg <- sf <-; have [||-> ->] := @form_timesE (f (p - i)%N) (g i); rewrite ?sf ?sg //.
+  move=> le_i; have [] := @form_powerE (form_of_rest K e) (p - i); first by rewrite sl.
+  have [] := @form_powerE (form_of K e) i; first by rewrite sr.
+  rewrite -/f -/g form_of_restE // form_ofE // sl sr => sg <- sf <-; have [||-> ->] := @form_timesE (f (p - i)%N) (g i); rewrite ?sf ?sg //.
   by split=> //; rewrite addSn addnS /= -mulnDr subnK // mulnC.
 rewrite comp_bez [LHS](_ : _ = \sum_(0 <= i < p.+1) (coord (at_list c) k i * 'C(p, i)%:R)%:P * form (form_times K (f (p - i)%N) (g i))).
   apply: eq_big_nat => i /andP[_ le_i]; have [_ ->] := w i le_i; rewrite polyCM polyC_nat -mulrA; congr (_ * (_ * _)); exact: mulrC.

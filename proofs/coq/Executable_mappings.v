@@ -89,18 +89,18 @@ have mem i : (i \in filter (fun i => ~~ (t < at_list u i) && (at_list u i < at_l
 have step a : (n.-1 <= a <= size u - n)%N -> at_list u a <= t -> at_list u a < at_list u (size u - n)%N ->
     exists2 i, (a <= i)%N & i \in filter (fun i => ~~ (t < at_list u i) && (at_list u i < at_list u i.+1)) (iota n.-1 (size u - n - n.-1)).
   move=> in_a le_t lt_a; case: (boolP (has (fun i => (a <= i)%N && (at_list u i <= t) && (at_list u i < at_list u i.+1)) (iota a (size u - n - a)))).
-    case/hasP=> i; rewrite mem_iota => in_i /andP[/andP[le_a le_i] lt_i]; exists i => //; rewrite mem le_i lt_i /=; lia.
+    case/hasP=> i; rewrite mem_iota => in_i /andP[/andP[le_a le_i] lt_i]; exists i => //; rewrite mem le_i lt_i /=; move: in_a in_i; clear; lia.
   move/hasPn=> none; suff : at_list u (size u - n)%N <= at_list u a by rewrite leNgt lt_a.
-  apply: (no_step hv in_a le_t) => i in_i le_i; have := none i; rewrite mem_iota le_i andbT; case/andP: in_i => -> lt_i /=; apply; lia.
+  apply: (no_step hv in_a le_t) => i in_i le_i; have := none i; rewrite mem_iota le_i andbT; case/andP: in_i => -> lt_i /=; apply; move: in_a lt_i; clear; lia.
 have [i _ in_i] : exists2 i, (n.-1 <= i)%N & i \in filter (fun i => ~~ (t < at_list u i) && (at_list u i < at_list u i.+1)) (iota n.-1 (size u - n - n.-1)).
-  by apply: step => //; [lia | rewrite lt_neqAle dom (knots_up hv) //; lia].
+  by apply: step => //; [move: le_n; clear; lia | rewrite lt_neqAle dom (knots_up hv) //; move: n0 le_n; clear; lia].
 have [in_j _] := last_filter in_i.
 have [le_j lt_j bounds] : [/\ at_list u j <= t, at_list u j < at_list u j.+1 & (n.-1 <= j < size u - n)%N] by apply/and3P; rewrite -mem.
 rewrite bounds le_j lt_j /=.
 have [lt_t|ge_t] := ltP t (at_list u j.+1); first by split=> //; [exact: ltW | left].
 have e : at_list u j.+1 = at_list u (size u - n)%N.
-  apply/eqP; rewrite eq_le (knots_up hv) /=; last by lia.
-  rewrite leNgt; apply/negP=> lt_e; have [|h le_h in_h] := step j.+1 _ ge_t lt_e; first by lia.
+  apply/eqP; rewrite eq_le (knots_up hv) /=; last by move: bounds n0; clear; lia.
+  rewrite leNgt; apply/negP=> lt_e; have [|h le_h in_h] := step j.+1 _ ge_t lt_e; first by move: bounds; clear; lia.
   have [_ le_j'] := last_filter in_h; have {}le_j' : (h <= j)%N := le_j'; by rewrite ltnNge le_j' in le_h.
 have et : t = at_list u j.+1 by apply/eqP; rewrite eq_le ge_t e hi.
 by split=> //; [rewrite et | right; rewrite et].

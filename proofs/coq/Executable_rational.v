@@ -71,7 +71,7 @@ rewrite -[LHS]/(horner_eval t _) -det_map_mx; congr (\det _); apply/matrixP=> i 
 by case: i => -[|[|[|[|//]]]] lt_i /=; rewrite mxE.
 Qed.
 
-Lemma horner_last n v (c : nat -> 'rV[F]_4) a t : span n v -> (0 < n)%N ->
+Lemma horner_last m n v (c : nat -> 'rV[F]_m) a t : span n v -> (0 < n)%N ->
   ev (last_point n v c a) t = pblossom v c (at_ a :: nseq n.-1 (at_ t)).
 Proof.
 case: n => // n sp _; apply/rowP=> j; rewrite !mxE -[LHS]/(horner_eval t _).

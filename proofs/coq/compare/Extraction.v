@@ -4,7 +4,8 @@ From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt.
 From Torse Require Import Executable Executable_knots Executable_net Executable_pieces Executable_determinant Executable_FJ21 Executable_ZW06
   Executable_splines
   Executable_changes Executable_edge Executable_rational Executable_rulings Executable_rows
-  Executable_mappings Executable_warp Executable_composition Executable_polynomials.
+  Executable_mappings Executable_warp Executable_composition Executable_polynomials
+  Executable_special Executable_recovery.
 
 Extraction Language OCaml.
 Extraction "programs.ml" knot_list blossom_program point_program derivative_program net_program
@@ -16,4 +17,5 @@ Extraction "programs.ml" knot_list blossom_program point_program derivative_prog
   dependence_program moebius_program moebius_rows moebius_functions_program unshortened_program shortened_program
   times_program edge_rows_program patch_program determinant4_program check4_program
   aim_program branch_program coordinates_program ends_program interpolation_program rows_program
-  mapping_value_program mapping_slope_program greville_program warp_program composed_program bernstein_program polynomial_program.
+  mapping_value_program mapping_slope_program greville_program warp_program composed_program bernstein_program polynomial_program
+  cylinder_program apex_program restricted_lambda tangent_point_program last_pair_program functions_program.

@@ -68,6 +68,11 @@ const Table& of_one_piece() {
          return blossom_functions(scaled_weights(triple<BlossomFunctions<Q>>(p), p.number("a"), p.number("b")));
        }},
       {"edge", edge},
+      {"cylinder_net",
+       [](P p) { return Answer() << cylinder_net<Q, Point3>(p.points<3>("c"), p.point<3>("v"), p.numbers("h")); }},
+      {"cone_vertex", [](P p) { return Answer() << cone_vertex<Q>(p.point<3>("v"), p.point<3>("d"), p.number("x")); }},
+      {"restricted_lambda",
+       [](P p) { return Answer() << restricted_lambda(p.number("L"), p.number("M"), p.number("x")); }},
       {"coefficients_from_steps", [](P p) { return Answer() << coefficients_from_steps<Q>(p.numbers("e")); }},
       {"elevated_points", elevation},
       {"cone_net",

@@ -30,6 +30,7 @@ let reason = function
   | Division -> "division" | Degree -> "degree" | Knots -> "knots" | Knot i -> Printf.sprintf "knots[%d]" i | Vertices -> "points"
   | At_knot -> "M" | Vertex -> "k" | Cell i -> Printf.sprintf "cell[%d]" i | Sigma -> "sigma" | Outside -> "t" | Lambda -> "Lambda"
   | Weight i -> Printf.sprintf "weights[%d]" i | Rho -> "rho" | Factor -> "s" | Alpha -> "alpha" | Parallel -> "v"
+  | Lengths -> "lengths"
 
 let answer numbers = function
   | Value a -> String.concat " " (List.map Q.to_string (numbers a))
@@ -128,6 +129,12 @@ let programs = [
   "composed_points", (fun p -> of_points (composed_program field (space (dimension p)) (points p "c") (numbers p "e")));
   "bezier_rows", (fun p -> of_point (bernstein_program field (numbers p "f") (integer p "n") (number p "a") (number p "b")));
   "piece_polynomials", (fun p -> of_point (over_knots polynomial_program p (numbers p "f") (integer p "k")));
+  "cylinder_net", (fun p -> of_points (cylinder_program field (space 3) (points p "c") (point p "v") (numbers p "h")));
+  "cone_vertex", (fun p -> of_point (apex_program field (space 3) (point p "v") (point p "d") (number p "x")));
+  "restricted_lambda", (fun p -> of_point (Value [restricted_lambda field (number p "L") (number p "M") (number p "x")]));
+  "tangent_point", (fun p -> of_point (spline tangent_point_program p (integer p "k") (number p "t") (number p "a", number p "w")));
+  "last_pair", (fun p -> of_points (spline last_pair_program p (integer p "k") (number p "t")));
+  "cell_functions", (fun p -> of_point (spline (fun k v -> functions_program k v x y z t) p (points p "d") (integer p "i")));
   "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
 ]
 

@@ -235,6 +235,38 @@ def mapping(draw):
     return members | {"c": draw.row(1)}
 
 
+def cylinder(draw):
+    """A row, a direction and its lengths, sometimes too many."""
+    c = bezier(draw)["c"]
+    return {"c": c, "v": draw.point(), "h": [draw.number() for _ in range(len(c) + (draw.random.random() < 0.1))]}
+
+
+def cone(draw):
+    return {"v": draw.point(), "d": draw.point(), "x": 1 if draw.random.random() < 0.1 else draw.number()}
+
+
+def tangent(draw):
+    """A curve, a parameter and a homogeneous one, sometimes the infinite one."""
+    members = point(draw)
+    a, w = draw.random.choice(((draw.parameter(), 1), (1, 0), (draw.number(), draw.number())))
+    return members | {"a": a, "w": w}
+
+
+def recovery(draw):
+    """Two homogeneous rows, sometimes with a coordinate 0, and one of their cells: any, or with Lambda or M at infinity, or vertices on a line."""
+    members = rational_pair(draw)
+    c, d, i = members["c"], members["d"], draw.random.randrange(max(1, draw.last))
+    if len(c) == len(d) > i + 1 and (way := draw.random.choice((0, 0, 0, 1, 2, 3))):
+        x, y = draw.number(), draw.number()
+        of_q, of_p, of_side = ((x, -y, y), (1, x, y), (x, y, 0))[way - 1]
+        d[i + 1] = [of_q * q + of_p * p + of_side * s for q, p, s in zip(d[i], c[i], c[i + 1])]
+    if draw.random.random() < 0.3:
+        plane = draw.random.randrange(4)
+        for row in c + d:
+            row[plane] = 0
+    return {key: members[key] for key in "nucd"} | {"i": i}
+
+
 def composition(draw):
     """A Bezier curve, mostly of a low degree, and a polynomial, sometimes one of the two without points."""
     draw.usual, draw.highest = 3 if draw.huge else 4, 7
@@ -333,6 +365,12 @@ functions = {
     "pointwise_sine_squared": (general, pair),
     "coefficients_from_steps": (of_numbers, steps),
     "elevated_points": (of_rows, elevation),
+    "cylinder_net": (of_rows, cylinder),
+    "cone_vertex": (of_numbers, cone),
+    "restricted_lambda": (of_numbers, lambda draw: affine(draw) | {"x": draw.number()}),
+    "tangent_point": (general, tangent),
+    "last_pair": (general, point),
+    "cell_functions": (general + ["L* at a knot", "L* = M*"], recovery),
     "composed_points": (of_rows, composition),
     "bezier_rows": (of_numbers + ["high degree"], polynomial),
     "piece_polynomials": (general, piece_of_function),
@@ -344,7 +382,7 @@ functions = {
     "affine_net": (of_rows, directrix),
 }
 total = {"restrict_rulings", "coefficients_from_steps", "elevated_points", "cone_net", "mean_tangent_net", "tangent_net", "mean_chord_net", "affine_net",
-         "moebius_rows", "times_linear", "edge_patch"}
+         "moebius_rows", "times_linear", "edge_patch", "restricted_lambda"}
 # The classes and functions where every answer is an error, and where some are; in no class or function else are all.
 all_errors = {"missing points", "M* at a knot"}
 with_errors = {"bad knots"} | set(functions) - total

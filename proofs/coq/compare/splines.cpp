@@ -3,6 +3,7 @@
 #include "torse/developable/closed_forms.hpp"
 #include "torse/developable/condition.hpp"
 #include "torse/developable/pieces.hpp"
+#include "torse/developable/recovery.hpp"
 #include "torse/developable/ruled.hpp"
 #include "torse/proofs/coq/compare/tables.hpp"
 
@@ -89,6 +90,28 @@ Answer witness(const Problem& p) {
   return Answer() << Q(found ? found->piece : 0);
 }
 
+/// The point with a homogeneous parameter (a : w) on the tangent at t. Throws DivisionByZero for an empty piece.
+Answer on_tangent(const Problem& p) {
+  const auto c = p.spline<3>();
+  const Parameter<Q> x{p.number("a"), p.number("w")};
+  return Answer() << tangent_point(c.knots, c.points(), p.integer("k"), p.number("t"), x);
+}
+
+Answer pair(const Problem& p) {
+  const auto c = p.spline<3>();
+  const int k = p.integer("k");
+  if (definitely(c.knots.piece_empty(k))) throw DivisionByZero();
+  const auto [first, second] = last_pair(c.knots, c.points(), k, p.number("t"));
+  return Answer() << first << second;
+}
+
+Answer recovered(const Problem& p) {
+  const auto c = p.spline<4>();
+  const auto d = p.spline<4>("d");
+  const BlossomFunctions<Q> f = cell_functions<Q>(c.knots, c.points(), d.points(), p.integer("i"));
+  return Answer() << f.lambda << f.m << f.sigma;
+}
+
 Answer rational_row(const Problem& p) {
   const auto c = p.spline<4>();
   return Answer() << rational_net<Q, Point4>(c.knots, c.points(), p.number("L"), p.number("M"), p.number("s"),
@@ -147,6 +170,9 @@ const Table& over_knots() {
       {"find_witness", witness<3>},
       {"determinant4", determinant<4>},
       {"find_witness4", witness<4>},
+      {"tangent_point", on_tangent},
+      {"last_pair", pair},
+      {"cell_functions", recovered},
       {"rational_net", rational_row},
       {"restricted_points", pieces},
       {"bezier_points", bezier},
