@@ -1,20 +1,37 @@
-(* What becomes of the bound of Rounding_binary64_net.v without its hypotheses. *)
-From Coq Require Import ZArith Reals.
+(* What becomes of the bound of Rounding_binary64.v without its hypotheses.
+   Definitions:
+     zero, one, half, tiny, largest   0, 1, 1/2, the least positive double 2^-1074 and the largest (2^53 - 1) 2^971 *)
+From Coq Require Import ZArith Reals Psatz.
 From Flocq Require Import Core BinarySingleNaN.
 From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
-From Torse Require Import Points FJ07_3_net Rounding Rounding_net Binary64 Rounding_binary64.
+From Torse Require Import Points FJ07_3_net Rounding Rounding_net Binary Rounding_binary Rounding_binary64.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 Import Order.TTheory GRing.Theory Num.Theory.
 Local Open Scope ring_scope.
 Delimit Scope R_scope with Re.
-Local Notation eps := unit_roundoff.
+Local Notation eps := (unit_roundoff 53).
+
+Definition zero : double := B754_zero false.
+Definition one : double := @B754_finite 53 1024 false 4503599627370496 (-52) erefl.
+Definition half : double := @B754_finite 53 1024 false 4503599627370496 (-53) erefl.
+Definition largest : double := @B754_finite 53 1024 false 9007199254740991 971 erefl.
+Definition tiny : double := @B754_finite 53 1024 false 1 (-1074) erefl.
+
+Lemma one_value : B2R one = 1%Re.
+Proof. by rewrite /B2R /F2R /=; lra. Qed.
+Lemma half_value : B2R half = (/ 2)%Re.
+Proof. by rewrite /B2R /F2R /=; lra. Qed.
+Lemma tiny_value : (0 < B2R tiny)%Re.
+Proof. exact: F2R_gt_0. Qed.
+Lemma largest_value : (0 < B2R largest)%Re.
+Proof. exact: F2R_gt_0. Qed.
 
 Lemma rational_zero : rational zero = 0.
 Proof. by []. Qed.
 
-Lemma rational_infinity : rational (B754_infinity false) = 0.
+Lemma rational_infinity : rational (B754_infinity false : double) = 0.
 Proof. by []. Qed.
 
 Lemma rational_one : rational one = 1.
@@ -40,7 +57,7 @@ exact: (ler_weexpz2l two le).
 Qed.
 
 Lemma unit_range : 0 <= eps <= 16%:R^-1.
-Proof. by apply/andP; split; [exact: unit_ge0 | exact: unit_small]. Qed.
+Proof. by apply/andP; split; [exact: (unit_ge0 53) | exact: unit_small]. Qed.
 
 Lemma rational_largest : 0 < rational largest.
 Proof. exact: (real_gt0 (eq_ind_r (fun z => (0 < z)%Re) largest_value (real_rational largest))). Qed.
@@ -107,7 +124,7 @@ Qed.
 
 (** rounding.binary64 needs_knots: an infinite knot has no value, and the net none to compare with: with $u_0=\infty$, $u_1=1$ and the rest 0, all
     computed vertices are 0. *)
-Theorem rounding_binary64_needs_knots (u := fun i => if i is 0%N then B754_infinity false : number else one) (c := fun (_ : nat) (_ : 'I_1) => zero)
+Theorem rounding_binary64_needs_knots (u := fun i => if i is 0%N then B754_infinity false : double else one) (c := fun (_ : nat) (_ : 'I_1) => zero)
   (computed := net_from doubles u 1 zero zero (fun=> zero) zero 0 1) :
   computed = zero /\ exists d : nat -> 'rV[rat]_1, [/\ d 0%N = \row_k rational zero,
     cell (fun i => rational (u i)) 1 (rational zero) (rational zero) (read rational c) d 0 &
@@ -116,7 +133,7 @@ Theorem rounding_binary64_needs_knots (u := fun i => if i is 0%N then B754_infin
 Proof.
 have ec : computed = zero by vm_compute.
 rewrite ec; split; first by [].
-have none (val : number -> rat) (e : rat) : val zero = 0 -> val (B754_infinity false) = 0 -> e < 1 -> exists d : nat -> 'rV[rat]_1,
+have none (val : double -> rat) (e : rat) : val zero = 0 -> val (B754_infinity false) = 0 -> e < 1 -> exists d : nat -> 'rV[rat]_1,
   [/\ d 0%N = \row_k val zero, cell (fun i => val (u i)) 1 (val zero) (val zero) (read val c) d 0 &
     e * `|d 1%N 0 0| + (1 + e) * bound_up e (fun i => val (u i)) 1 (val zero) (val zero) (fun=> val zero) (val zero) 0 1 < `|val zero - d 1%N 0 0|].
   move=> v0 vi e1; exists (fun i => if i is 0%N then \row_k val zero else const_mx 1 : 'rV[rat]_1); split=> //.

@@ -1,203 +1,108 @@
-(* The operations on doubles keep the standard model, in terms of rational numbers, which Rounding_net.v can take.
+(* The bounds of Rounding_binary_net.v and Rounding_binary_printed.v for the formats that processors have.
    Definitions:
-     real x           a rational number among the real ones
-     rational x       the value of a number; 0 for infinities and NaN
-     doubles          the four operations of Binary64.v
-     unit_roundoff, least_normal   2^-53 and 2^-1022
-     times_survives x y, over_survives x y   a product, a quotient that do not underflow *)
-From Coq Require Import ZArith Reals Psatz.
+     double, single   binary64 and binary32 of IEEE 754: 53 and 24 bits, exponents up to 1024 and 128
+     doubles, singles their operations *)
+From Coq Require Import ZArith Reals.
 From Flocq Require Import Core BinarySingleNaN.
 From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
-From Torse Require Import Binary64 Rounding.
+From Torse Require Import Points FJ07_3_net Rounding Rounding_net Rounding_printed Binary Rounding_binary Rounding_binary_net Rounding_binary_printed.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 Import Order.TTheory GRing.Theory Num.Theory.
 Local Open Scope ring_scope.
-Delimit Scope R_scope with Re.
 
-Section Values.
-Definition real (x : rat) : R := (IZR (Z_of_int (numq x)) / IZR (Z_of_int (denq x)))%Re.
-Arguments real x%R.
+Definition double := number 53 1024.
+Definition single := number 24 128.
+#[export] Instance prec_double : Prec_gt_0 53 := erefl.
+#[export] Instance range_double : Prec_lt_emax 53 1024 := erefl.
+#[export] Instance prec_single : Prec_gt_0 24 := erefl.
+#[export] Instance range_single : Prec_lt_emax 24 128 := erefl.
+Definition doubles : arithmetic double := machine 53 1024.
+Definition singles : arithmetic single := machine 24 128.
 
-Lemma IZR_neq0 (b : int) : b != 0 -> IZR (Z_of_int b) <> 0%Re.
-Proof. by move=> nz /eq_IZR_R0 e; case/eqP: nz; lia. Qed.
+Section Double.
+Local Notation eps := (unit_roundoff 53).
+Variables (m : nat) (u : nat -> double) (n : nat) (L M : double) (c : nat -> 'I_m -> double) (dK : 'I_m -> double) (d : nat -> 'rV[rat]_m) (K J : nat).
+Hypothesis start : d K = \row_k rational (dK k).
+Local Notation v := (fun i => rational (u i)).
+Local Notation c_ k := (fun i => rational (c i k)).
 
-Lemma real_frac (a b : int) : b != 0 -> real (a%:~R / b%:~R) = (IZR (Z_of_int a) / IZR (Z_of_int b))%Re.
-Proof.
-move=> nb; set x := a%:~R / b%:~R; rewrite /real; have nd := denq_neq0 x.
-have e : numq x * b = a * denq x.
-  apply/eqP; rewrite -(eqr_int [numDomainType of rat]) !rmorphM /= -eqr_div ?intr_eq0 // divq_num_den.
-  by rewrite /x.
-have := congr1 (fun z => IZR (Z_of_int z)) e; rewrite !rmorphM /= !mult_IZR => {}e.
-by apply: quotient_eq => //; exact: IZR_neq0.
-Qed.
+(** rounding.binary64 net: the vertex $J\ge K$ that the library computes in doubles from the vertex $K$ has in each coordinate an error of at most
+    $u|d_J|+(1+u)\bigl(\gamma_{5(J-K)+1}|P(K,J)||d_K-c_K|
+    +|\Lambda^{*}-M^{*}|\sum_{i=K}^{J-1}\gamma_{5(J-i)+1}|P(i+1,J)|\frac{|c_{i+1}-c_i|}{|M^{*}-u_i|}\bigr)$ with $u=2^{-53}$, where $d$ is the exact row (13).
+    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and the knots $u_K,\dots,u_{J-1}$ are finite; each computed product and quotient on the way is at
+    least $2^{-1022}$ in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
+Theorem rounding_binary64_net k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 ->
+  (forall i, (K <= i < J)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  upwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (J - K)) ->
+  `|rational (net_from doubles u n L M (c^~ k) (dK k) K J) - d J 0 k|
+    <= eps * `|d J 0 k| + (1 + eps) * bound_up eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
+Proof. exact: (rounding_binary_net start). Qed.
 
-Lemma real_add x y : real (x + y) = (real x + real y)%Re.
-Proof.
-rewrite -{1}[x]divq_num_den -{1}[y]divq_num_den addf_div ?intr_eq0 ?denq_neq0 //.
-rewrite -!intrM -intrD real_frac ?mulf_neq0 ?denq_neq0 // rmorphD !rmorphM plus_IZR !mult_IZR.
-by apply: quotient_sum; apply: IZR_neq0; exact: denq_neq0.
-Qed.
+(** rounding.binary64 net_down: the vertex $J\le K$ has in each coordinate an error of at most
+    $u|d_J|+(1+u)\bigl(\gamma_{5(K-J)+1}|P(J,K)|^{-1}|d_K-c_K|
+    +|\Lambda^{*}-M^{*}|\sum_{i=J}^{K-1}\gamma_{5(i+1-J)+1}|P(J,i)|^{-1}\frac{|c_{i+1}-c_i|}{|M^{*}-u_{i+n}|}\bigr)$ with $u=2^{-53}$.
+    Hypotheses: as upwards, with the knots $u_{J+n},\dots,u_{K-1+n}$. *)
+Theorem rounding_binary64_net_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps < 1 ->
+  (forall i, (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  downwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (K - J)) ->
+  `|rational (net_from doubles u n L M (c^~ k) (dK k) K J) - d J 0 k|
+    <= eps * `|d J 0 k| + (1 + eps) * bound_down eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
+Proof. exact: (rounding_binary_net_down start). Qed.
 
-Lemma real_mul x y : real (x * y) = (real x * real y)%Re.
-Proof.
-rewrite -{1}[x]divq_num_den -{1}[y]divq_num_den mulf_div -!intrM real_frac ?mulf_neq0 ?denq_neq0 //.
-rewrite !rmorphM !mult_IZR.
-by apply: quotient_product; apply: IZR_neq0; exact: denq_neq0.
-Qed.
+End Double.
 
-Lemma real_int (z : int) : real z%:~R = IZR (Z_of_int z).
-Proof. by rewrite /real numq_int denq_int /= /Rdiv Rinv_1 Rmult_1_r. Qed.
+(** rounding.binary64 printed: the vertex $N$ that the library computes in doubles from $d_0$ as (13) stands has in each coordinate an error of at most
+    $\gamma_{5N}|P(0,N)||d_0|+\sum_{i=0}^{N-1}\gamma_{5(N-i)+1}\frac{|P(i+1,N)|}{|M^{*}-u_i|}\bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-53}$.
+    Hypotheses: $(5N+1)u<1$; the computed $d_N$ and the computed $M^{*}-u_i$, $i<N$, are finite; each computed product and quotient on the way is at least $2^{-1022}$ in size,
+    unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
+Theorem rounding_binary64_printed m (u : nat -> double) n (L M : double) (c : nat -> 'I_m -> double) (d0 : 'I_m -> double) (d : nat -> 'rV[rat]_m) N k :
+  (5 * N + 1)%:R * unit_roundoff 53 < 1 -> d 0%N = \row_k rational (d0 k) ->
+  (forall i, (i < N)%N -> cell (fun i => rational (u i)) n (rational L) (rational M) (fun i => \row_k rational (c i k)) d i) ->
+  survives_printed u n L M (c^~ k) (d0 k) N ->
+  `|rational (printed doubles u n L M (c^~ k) (d0 k) N) - d N 0 k| <= printed_spread rational (unit_roundoff 53) u n L M (c^~ k) (d0 k) N.
+Proof. exact: rounding_binary_printed. Qed.
 
-Lemma real_opp x : real (- x) = (- real x)%Re.
-Proof. by rewrite /real numqN denqN rmorphN opp_IZR /Rdiv Ropp_mult_distr_l. Qed.
+Section Single.
+Local Notation eps := (unit_roundoff 24).
+Variables (m : nat) (u : nat -> single) (n : nat) (L M : single) (c : nat -> 'I_m -> single) (dK : 'I_m -> single) (d : nat -> 'rV[rat]_m) (K J : nat).
+Hypothesis start : d K = \row_k rational (dK k).
+Local Notation v := (fun i => rational (u i)).
+Local Notation c_ k := (fun i => rational (c i k)).
 
-Lemma real_sub x y : real (x - y) = (real x - real y)%Re.
-Proof. by rewrite real_add real_opp. Qed.
+(** rounding.binary32 net: the vertex $J\ge K$ that the library computes in singles from the vertex $K$ has in each coordinate an error of at most
+    $u|d_J|+(1+u)\bigl(\gamma_{5(J-K)+1}|P(K,J)||d_K-c_K|
+    +|\Lambda^{*}-M^{*}|\sum_{i=K}^{J-1}\gamma_{5(J-i)+1}|P(i+1,J)|\frac{|c_{i+1}-c_i|}{|M^{*}-u_i|}\bigr)$ with $u=2^{-24}$, where $d$ is the exact row (13).
+    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and the knots $u_K,\dots,u_{J-1}$ are finite; each computed product and quotient on the way is at
+    least $2^{-126}$ in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
+Theorem rounding_binary32_net k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 ->
+  (forall i, (K <= i < J)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  upwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (J - K)) ->
+  `|rational (net_from singles u n L M (c^~ k) (dK k) K J) - d J 0 k|
+    <= eps * `|d J 0 k| + (1 + eps) * bound_up eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
+Proof. exact: (rounding_binary_net start). Qed.
 
-Lemma real_pos x : 0 < x -> (0 < real x)%Re.
-Proof.
-have pos (z : int) : 0 < z -> (0 < IZR (Z_of_int z))%Re by move=> z0; apply: IZR_lt; lia.
-by move=> x0; apply: Rdiv_lt_0_compat; apply: pos; rewrite ?numq_gt0 ?denq_gt0.
-Qed.
+(** rounding.binary32 net_down: the vertex $J\le K$ has in each coordinate an error of at most
+    $u|d_J|+(1+u)\bigl(\gamma_{5(K-J)+1}|P(J,K)|^{-1}|d_K-c_K|
+    +|\Lambda^{*}-M^{*}|\sum_{i=J}^{K-1}\gamma_{5(i+1-J)+1}|P(J,i)|^{-1}\frac{|c_{i+1}-c_i|}{|M^{*}-u_{i+n}|}\bigr)$ with $u=2^{-24}$.
+    Hypotheses: as upwards, with the knots $u_{J+n},\dots,u_{K-1+n}$. *)
+Theorem rounding_binary32_net_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps < 1 ->
+  (forall i, (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  downwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (K - J)) ->
+  `|rational (net_from singles u n L M (c^~ k) (dK k) K J) - d J 0 k|
+    <= eps * `|d J 0 k| + (1 + eps) * bound_down eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
+Proof. exact: (rounding_binary_net_down start). Qed.
 
-Lemma real_le x y : (real x <= real y)%Re -> x <= y.
-Proof.
-move=> h; rewrite leNgt; apply/negP; rewrite -subr_gt0 => /real_pos; rewrite real_sub.
-by move=> h'; lra.
-Qed.
+End Single.
 
-Lemma real_increasing x y : x <= y -> (real x <= real y)%Re.
-Proof.
-rewrite le_eqVlt => /orP[/eqP->|]; first exact: Rle_refl.
-by rewrite -subr_gt0 => /real_pos; rewrite real_sub; lra.
-Qed.
-
-Lemma real_gt0 x : (0 < real x)%Re -> 0 < x.
-Proof. by move=> h; rewrite ltNge; apply/negP=> /real_increasing; rewrite (real_int 0) => h'; exact: (Rlt_irrefl _ (Rlt_le_trans _ _ _ h h')). Qed.
-
-Lemma real_inj x y : real x = real y -> x = y.
-Proof. by move=> e; apply/le_anti/andP; split; apply: real_le; rewrite e; exact: Rle_refl. Qed.
-
-Lemma real_norm x : real `|x| = Rabs (real x).
-Proof.
-have [x0|x0|->] := ltrgt0P x.
-- by rewrite Rabs_pos_eq //; exact/Rlt_le/real_pos.
-- by rewrite real_opp Rabs_left //; move: x0; rewrite -oppr_gt0 => /real_pos; rewrite real_opp; lra.
-by rewrite (real_int 0) Rabs_R0.
-Qed.
-
-Lemma real_neq0 x : x != 0 -> real x <> 0%Re.
-Proof. by rewrite -normr_gt0 => /real_pos; rewrite real_norm => h e; move: h; rewrite e Rabs_R0; exact: Rlt_irrefl. Qed.
-
-Lemma real_inv x : x != 0 -> real x^-1 = (/ real x)%Re.
-Proof.
-move=> nz; apply: (Rmult_eq_reg_r (real x)); last exact: real_neq0.
-by rewrite -real_mul mulVf // Rinv_l ?(real_int 1) //; exact: real_neq0.
-Qed.
-
-Lemma real_power (e : int) : real (2%:R ^ e) = bpow radix2 (Z_of_int e).
-Proof.
-have two : real 2%:R = 2%Re by rewrite (real_int 2).
-have nat_power k : real (2%:R ^+ k) = bpow radix2 (Z.of_nat k).
-  elim: k => [|k ih]; first by rewrite expr0 (real_int 1).
-  by rewrite exprS real_mul ih two Nat2Z.inj_succ bpow_plus_1.
-case: e => k; first by rewrite -exprnP nat_power.
-rewrite NegzE -exprnN real_inv ?expf_neq0 // nat_power -bpow_opp.
-by congr (bpow _ _); lia.
-Qed.
-
-Definition rational (x : number) : rat :=
-  if x is B754_finite s m e _ then (int_of_Z (cond_Zopp s (Zpos m)))%:~R * 2%:R ^ (int_of_Z e) else 0.
-
-Lemma real_rational x : real (rational x) = B2R x.
-Proof.
-case: x => [s|s| |s m e h] /=; try exact: (real_int 0).
-by rewrite real_mul real_int real_power !int_of_ZK.
-Qed.
-End Values.
-
-Definition doubles := Arithmetic bplus bminus btimes bover.
-Definition unit_roundoff : rat := 2%:R ^ (- 53%:Z).
-Definition least_normal : rat := 2%:R ^ (- 1022%:Z).
-
-Section Model.
-Implicit Types x y : number.
-Local Notation eps := unit_roundoff.
-
-Definition times_survives x y := [\/ rational x = 0, rational y = 0 | least_normal <= `|rational (btimes x y)|].
-Definition over_survives x y := rational x = 0 \/ least_normal <= `|rational (bover x y)|.
-
-Lemma real_unit : real unit_roundoff = bpow radix2 (-53).
-Proof. by rewrite /unit_roundoff real_power. Qed.
-Lemma real_least : real least_normal = bpow radix2 (-1022).
-Proof. by rewrite /least_normal real_power. Qed.
-
-Lemma unit_ge0 : 0 <= unit_roundoff.
-Proof. by rewrite /unit_roundoff exprz_ge0 // ler0n. Qed.
-Lemma least_gt0 : 0 < least_normal.
-Proof. by rewrite /least_normal exprz_gt0. Qed.
-Opaque unit_roundoff least_normal.
-
-Local Notation u := (bpow radix2 (-53)).
-
-Lemma close_of_real (x y : rat) rx ry : real x = rx -> real y = ry -> (Rabs (ry - rx) <= u * Rabs rx)%Re -> close eps x y.
-Proof. by move=> <- <-; rewrite -real_unit -real_sub -!real_norm -real_mul => /real_le. Qed.
-
-Lemma rounded_of_real (x y : rat) rx ry : real x = rx -> real y = ry -> (Rabs (ry - rx) <= u * Rabs ry)%Re -> rounded eps x y.
-Proof. by move=> ex ey h; right; apply: (close_of_real ey ex); rewrite Rabs_minus_sym. Qed.
-
-Lemma real_sum x y : real (rational x + rational y) = (B2R x + B2R y)%Re.
-Proof. by rewrite real_add !real_rational. Qed.
-Lemma real_difference x y : real (rational x - rational y) = (B2R x - B2R y)%Re.
-Proof. by rewrite real_sub !real_rational. Qed.
-Lemma real_product x y : real (rational x * rational y) = (B2R x * B2R y)%Re.
-Proof. by rewrite real_mul !real_rational. Qed.
-Lemma real_quotient x y : rational y != 0 -> real (rational x / rational y) = (B2R x / B2R y)%Re.
-Proof. by move=> nz; rewrite real_mul real_inv // !real_rational. Qed.
-
-(** rounding.binary64 sum: a sum and a difference of doubles that do not overflow have a relative error of at most $2^{-53}$, however small they are. *)
-Theorem rounding_binary64_sum x y :
-  (is_finite (bplus x y) = true -> close eps (rational x + rational y) (rational (bplus x y))) /\
-  (is_finite (bminus x y) = true -> close eps (rational x - rational y) (rational (bminus x y))).
-Proof.
-split=> h; first exact: (close_of_real (real_sum x y) (real_rational _) (plus_close h)).
-exact: (close_of_real (real_difference x y) (real_rational _) (minus_close h)).
-Qed.
-
-Lemma zero_value x : rational x = 0 -> B2R x = 0%Re.
-Proof. by move=> h; rewrite -real_rational h (real_int 0). Qed.
-
-Lemma normal_value x : least_normal <= `|rational x| -> (bpow radix2 (-1022) <= Rabs (B2R x))%Re.
-Proof. by move=> /real_increasing h; rewrite -real_least -real_rational -real_norm. Qed.
-
-Let zero_rounded : (Rabs (round radix2 (FLT_exp (-1074) 53) ZnearestE 0 - 0)
-  <= bpow radix2 (-53) * Rabs (round radix2 (FLT_exp (-1074) 53) ZnearestE 0))%Re.
-Proof. by rewrite round_0 Rminus_0_r Rabs_R0 Rmult_0_r; exact: Rle_refl. Qed.
-
-(** rounding.binary64 product: a product of doubles that neither over- nor underflows has a relative error of at most $2^{-53}$.
-    Hypotheses: the computed product is finite; a factor is zero, or the computed product is at least $2^{-1022}$ in size. *)
-Theorem rounding_binary64_product x y : is_finite (btimes x y) = true -> times_survives x y ->
-  rounded eps (rational x * rational y) (rational (btimes x y)).
-Proof.
-move=> h normal; apply: (rounded_of_real (real_product x y) (real_rational _)); rewrite (times_round h).
-case: normal => [/zero_value->|/zero_value->|/normal_value].
-- by rewrite Rmult_0_l.
-- by rewrite Rmult_0_r.
-by rewrite (times_round h); exact: rounded_normal.
-Qed.
-
-(** rounding.binary64 quotient: a quotient of doubles that neither over- nor underflows has a relative error of at most $2^{-53}$.
-    Hypotheses: the computed quotient and the divisor are finite; the dividend is zero, or the computed quotient is at least $2^{-1022}$ in size. *)
-Theorem rounding_binary64_quotient x y : is_finite (bover x y) = true -> is_finite y = true -> over_survives x y ->
-  rational y != 0 /\ rounded eps (rational x / rational y) (rational (bover x y)).
-Proof.
-move=> h hy normal; have ny := divisor_neq0 h hy.
-have y0 : rational y != 0 by apply/eqP=> y0; apply: ny; exact: zero_value.
-split; first exact: y0.
-apply: (rounded_of_real (real_quotient x y0) (real_rational _)); rewrite (over_round h hy).
-case: normal => [/zero_value->|/normal_value]; first by rewrite /Rdiv Rmult_0_l.
-by rewrite (over_round h hy); exact: rounded_normal.
-Qed.
-End Model.
+(** rounding.binary32 printed: the vertex $N$ that the library computes in singles from $d_0$ as (13) stands has in each coordinate an error of at most
+    $\gamma_{5N}|P(0,N)||d_0|+\sum_{i=0}^{N-1}\gamma_{5(N-i)+1}\frac{|P(i+1,N)|}{|M^{*}-u_i|}\bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-24}$.
+    Hypotheses: $(5N+1)u<1$; the computed $d_N$ and the computed $M^{*}-u_i$, $i<N$, are finite; each computed product and quotient on the way is at least $2^{-126}$ in size,
+    unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
+Theorem rounding_binary32_printed m (u : nat -> single) n (L M : single) (c : nat -> 'I_m -> single) (d0 : 'I_m -> single) (d : nat -> 'rV[rat]_m) N k :
+  (5 * N + 1)%:R * unit_roundoff 24 < 1 -> d 0%N = \row_k rational (d0 k) ->
+  (forall i, (i < N)%N -> cell (fun i => rational (u i)) n (rational L) (rational M) (fun i => \row_k rational (c i k)) d i) ->
+  survives_printed u n L M (c^~ k) (d0 k) N ->
+  `|rational (printed singles u n L M (c^~ k) (d0 k) N) - d N 0 k| <= printed_spread rational (unit_roundoff 24) u n L M (c^~ k) (d0 k) N.
+Proof. exact: rounding_binary_printed. Qed.
