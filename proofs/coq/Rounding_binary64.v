@@ -51,18 +51,27 @@ Theorem rounding_binary64_net_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps 
     <= eps * `|d J 0 k| + (1 + eps) * bound_down eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
 Proof. exact: (rounding_binary_net_down start). Qed.
 
-End Double.
+(** rounding.binary64 printed: the vertex $J\ge K$ that the library computes in doubles from the vertex $K$ as (13) stands has in each coordinate an error of at most
+    $\gamma_{5(J-K)}|P(K,J)||d_K|+\sum_{i=K}^{J-1}\gamma_{5(J-i)+1}\frac{|P(i+1,J)|}{|M^{*}-u_i|}\bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-53}$.
+    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and the computed $M^{*}-u_i$, $K\le i<J$, are finite; each computed product and quotient on the way is at least
+    $2^{-1022}$ in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
+Theorem rounding_binary64_printed k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 ->
+  (forall i, (K <= i < J)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  printed_up u n L M (c^~ k) K (fun b h s o p q => survives_printed b h s o p q (dK k) (J - K)) ->
+  `|rational (printed_from doubles u n L M (c^~ k) (dK k) K J) - d J 0 k| <= printed_bound_up rational eps u n L M c dK K J k.
+Proof. exact: (rounding_binary_printed start). Qed.
 
-(** rounding.binary64 printed: the vertex $N$ that the library computes in doubles from $d_0$ as (13) stands has in each coordinate an error of at most
-    $\gamma_{5N}|P(0,N)||d_0|+\sum_{i=0}^{N-1}\gamma_{5(N-i)+1}\frac{|P(i+1,N)|}{|M^{*}-u_i|}\bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-53}$.
-    Hypotheses: $(5N+1)u<1$; the computed $d_N$ and the computed $M^{*}-u_i$, $i<N$, are finite; each computed product and quotient on the way is at least $2^{-1022}$ in size,
-    unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
-Theorem rounding_binary64_printed m (u : nat -> double) n (L M : double) (c : nat -> 'I_m -> double) (d0 : 'I_m -> double) (d : nat -> 'rV[rat]_m) N k :
-  (5 * N + 1)%:R * unit_roundoff 53 < 1 -> d 0%N = \row_k rational (d0 k) ->
-  (forall i, (i < N)%N -> cell (fun i => rational (u i)) n (rational L) (rational M) (fun i => \row_k rational (c i k)) d i) ->
-  survives_printed u n L M (c^~ k) (d0 k) N ->
-  `|rational (printed doubles u n L M (c^~ k) (d0 k) N) - d N 0 k| <= printed_spread rational (unit_roundoff 53) u n L M (c^~ k) (d0 k) N.
-Proof. exact: rounding_binary_printed. Qed.
+(** rounding.binary64 printed_down: the vertex $J\le K$ has in each coordinate an error of at most
+    $\gamma_{5(K-J)}|P(J,K)|^{-1}|d_K|+\sum_{i=J}^{K-1}\gamma_{5(i+1-J)+1}\frac{|P(J,i)|^{-1}}{|M^{*}-u_{i+n}|}
+    \bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-53}$.
+    Hypotheses: as upwards, with the computed $u_{i+n}-M^{*}$, $J\le i<K$. *)
+Theorem rounding_binary64_printed_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps < 1 ->
+  (forall i, (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  printed_down u n L M (c^~ k) K (fun b h s o p q => survives_printed b h s o p q (dK k) (K - J)) ->
+  `|rational (printed_from doubles u n L M (c^~ k) (dK k) K J) - d J 0 k| <= printed_bound_down rational eps u n L M c dK K J k.
+Proof. exact: (rounding_binary_printed_down start). Qed.
+
+End Double.
 
 Section Single.
 Local Notation eps := (unit_roundoff 24).
@@ -94,15 +103,24 @@ Theorem rounding_binary32_net_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps 
     <= eps * `|d J 0 k| + (1 + eps) * bound_down eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
 Proof. exact: (rounding_binary_net_down start). Qed.
 
-End Single.
+(** rounding.binary32 printed: the vertex $J\ge K$ that the library computes in singles from the vertex $K$ as (13) stands has in each coordinate an error of at most
+    $\gamma_{5(J-K)}|P(K,J)||d_K|+\sum_{i=K}^{J-1}\gamma_{5(J-i)+1}\frac{|P(i+1,J)|}{|M^{*}-u_i|}\bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-24}$.
+    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and the computed $M^{*}-u_i$, $K\le i<J$, are finite; each computed product and quotient on the way is at least
+    $2^{-126}$ in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
+Theorem rounding_binary32_printed k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 ->
+  (forall i, (K <= i < J)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  printed_up u n L M (c^~ k) K (fun b h s o p q => survives_printed b h s o p q (dK k) (J - K)) ->
+  `|rational (printed_from singles u n L M (c^~ k) (dK k) K J) - d J 0 k| <= printed_bound_up rational eps u n L M c dK K J k.
+Proof. exact: (rounding_binary_printed start). Qed.
 
-(** rounding.binary32 printed: the vertex $N$ that the library computes in singles from $d_0$ as (13) stands has in each coordinate an error of at most
-    $\gamma_{5N}|P(0,N)||d_0|+\sum_{i=0}^{N-1}\gamma_{5(N-i)+1}\frac{|P(i+1,N)|}{|M^{*}-u_i|}\bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-24}$.
-    Hypotheses: $(5N+1)u<1$; the computed $d_N$ and the computed $M^{*}-u_i$, $i<N$, are finite; each computed product and quotient on the way is at least $2^{-126}$ in size,
-    unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
-Theorem rounding_binary32_printed m (u : nat -> single) n (L M : single) (c : nat -> 'I_m -> single) (d0 : 'I_m -> single) (d : nat -> 'rV[rat]_m) N k :
-  (5 * N + 1)%:R * unit_roundoff 24 < 1 -> d 0%N = \row_k rational (d0 k) ->
-  (forall i, (i < N)%N -> cell (fun i => rational (u i)) n (rational L) (rational M) (fun i => \row_k rational (c i k)) d i) ->
-  survives_printed u n L M (c^~ k) (d0 k) N ->
-  `|rational (printed singles u n L M (c^~ k) (d0 k) N) - d N 0 k| <= printed_spread rational (unit_roundoff 24) u n L M (c^~ k) (d0 k) N.
-Proof. exact: rounding_binary_printed. Qed.
+(** rounding.binary32 printed_down: the vertex $J\le K$ has in each coordinate an error of at most
+    $\gamma_{5(K-J)}|P(J,K)|^{-1}|d_K|+\sum_{i=J}^{K-1}\gamma_{5(i+1-J)+1}\frac{|P(J,i)|^{-1}}{|M^{*}-u_{i+n}|}
+    \bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-24}$.
+    Hypotheses: as upwards, with the computed $u_{i+n}-M^{*}$, $J\le i<K$. *)
+Theorem rounding_binary32_printed_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps < 1 ->
+  (forall i, (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
+  printed_down u n L M (c^~ k) K (fun b h s o p q => survives_printed b h s o p q (dK k) (K - J)) ->
+  `|rational (printed_from singles u n L M (c^~ k) (dK k) K J) - d J 0 k| <= printed_bound_down rational eps u n L M c dK K J k.
+Proof. exact: (rounding_binary_printed_down start). Qed.
+
+End Single.

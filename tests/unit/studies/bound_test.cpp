@@ -139,22 +139,30 @@ TEST(Bound, TheLibraryDoesTheOperationsOfTheProof) {
   }
 }
 
-/// The same for `printed` of proofs/coq/Rounding_printed.v, upwards from the first vertex.
+/// The same for `printed` of proofs/coq/Rounding_printed.v, upwards and downwards from any vertex.
 TEST(Bound, ThePrintedNetDoesTheOperationsOfItsProof) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Case in = draw_case(Levels{}, seed);
     const auto x = lift<double>(in, [](float y, std::size_t) { return static_cast<double>(y) / 3; });
     const int n = in.degree;
-    const auto d = printed_net<double, Vec<double, 3>>(x.u, x.c, x.lambda, x.m, 0, x.anchors[0]);
-    for (int j = 0; j < 3; ++j) {
-      double vertex = x.anchors[0][j];
-      for (int i = 0; i < in.last(); ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const double before = (x.u[i + n] - x.lambda) * x.c[at][j];
-        const double behind = (x.lambda - x.u[i]) * x.c[at + 1][j];
-        const double passed = (x.m - x.u[i + n]) * vertex;
-        vertex = ((before + behind) + passed) / (x.m - x.u[i]);
-        EXPECT_EQ(d[at + 1][j], vertex);
+    for (const int k : {0, in.last() / 2, in.last()}) {
+      const Vec<double, 3>& dk = x.anchors[0];
+      const auto d = printed_net<double, Vec<double, 3>>(x.u, x.c, x.lambda, x.m, k, dk);
+      for (int j = 0; j < 3; ++j) {
+        const auto sides = [&](int i) {
+          const auto at = static_cast<std::size_t>(i);
+          return (x.u[i + n] - x.lambda) * x.c[at][j] + (x.lambda - x.u[i]) * x.c[at + 1][j];
+        };
+        double vertex = dk[j];
+        for (int i = k; i < in.last(); ++i) {
+          vertex = (sides(i) + (x.m - x.u[i + n]) * vertex) / (x.m - x.u[i]);
+          EXPECT_EQ(d[static_cast<std::size_t>(i + 1)][j], vertex);
+        }
+        vertex = dk[j];
+        for (int i = k - 1; i >= 0; --i) {
+          vertex = (sides(i) + (x.u[i] - x.m) * vertex) / (x.u[i + n] - x.m);
+          EXPECT_EQ(d[static_cast<std::size_t>(i)][j], vertex);
+        }
       }
     }
   }
