@@ -44,6 +44,21 @@ TEST(PlateDeviation, OfStraightRailsIsThatOfTheirVertices) {
   }
 }
 
+/// A square of which the first ruling, of length 5, goes from 0 to 5 i and the last from 5 to 5 + 5 i.
+TEST(Development, TheFirstRulingPointsUp) {
+  const KnotList<Q> u = bezier_knots<Q>(1);
+  const auto strips = piece_strips(u, rows({{1, 1, 1}, {1, 1, 6}}), rows({{4, 5, 1}, {4, 5, 6}}));
+  const std::vector<Station> stations = develop(strips, {Q(0), Q(1)}, 1e-6, 100);
+  const auto at = [](const arb::Complex& x, double re, double im) {
+    EXPECT_NEAR(arf_get_d(arb_midref(acb_realref(x.get())), ARF_RND_NEAR), re, 1e-12);
+    EXPECT_NEAR(arf_get_d(arb_midref(acb_imagref(x.get())), ARF_RND_NEAR), im, 1e-12);
+  };
+  at(stations.front().p, 0, 0);
+  at(stations.front().q, 0, 5);
+  at(stations.back().p, 5, 0);
+  at(stations.back().q, 5, 5);
+}
+
 /// A rectangle of 1/4 by 1/8, drawn upwards and downwards.
 TEST(PlateArea, IsPositiveForEitherOrientation) {
   const KnotList<Q> u = bezier_knots<Q>(1);
