@@ -223,6 +223,10 @@ def main():
     suite = Suite(workshop.build, options.jobs)
     for test in suite.baseline(folder / "baseline.json", say):
         say(f"fails without a mutant, so it is left out: {test.name} of {test.program}")
+    passed = suite.passed()
+    missed = [(file, m) for file, _, m in mutants.values() if m.slot not in passed]
+    (folder / "unreached.txt").write_text(report.unreached(missed, workshop.texts))
+    say(f"{len(missed)} of {len(mutants)} mutants are reached by no test: {folder / 'unreached.txt'}")
     if options.mutant:
         chosen = [m for m in mutants.values() if options.mutant in (m[2].id, m[2].digest)]
         if not chosen:

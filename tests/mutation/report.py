@@ -2,6 +2,7 @@
 
   summary    counts of results and of the stages that killed
   table      in columns      markdown    the same for the documentation      line    one mutant
+  unreached  the lines with mutants that no test passes
 """
 import datetime
 from pathlib import Path
@@ -13,6 +14,19 @@ COLUMNS = ("mutants", *STAGES, "timeout", "survived", "equivalent", "stillborn")
 
 def line(row):
     return f"{row['result']}: {row['id']} [{row['digest']}] {row['before']} -> {row['after']} ({row['stage']} {row['by']})"
+
+
+def unreached(mutants, texts):
+    """Of (file, mutant): the files, those with most of them first, and their lines with how many are there."""
+    lines = {}
+    for file, mutant in mutants:
+        lines.setdefault(file, []).append(texts[file].count("\n", 0, mutant.at) + 1)
+    out = []
+    for file, numbers in sorted(lines.items(), key=lambda item: (-len(item[1]), item[0])):
+        out.append(f"{file}: {len(numbers)}")
+        source = texts[file].splitlines()
+        out += [f"  {n} ({numbers.count(n)}): {source[n - 1].strip()}" for n in sorted(set(numbers))]
+    return "".join(line + "\n" for line in out)
 
 
 def count(rows):

@@ -149,6 +149,10 @@ class Suite:
                       for p in new.values() for t in p["tests"]]
         return [t for t in self.tests if not t.passed]
 
+    def passed(self):
+        """The slots that some test passes."""
+        return {slot for t in self.tests if t.passed for slot in t.reached}
+
     def reaching(self, slot):
         return [t for t in self.tests if t.passed and slot in t.reached]
 
