@@ -21,6 +21,7 @@
 
 #include "torse/cli/plugin.hpp"
 #include "torse/io/cad_bytes.hpp"
+#include "torse/io/text.hpp"
 
 namespace torse::cli {
 namespace {
@@ -127,7 +128,7 @@ CadCrash failure_of(const std::string& file, const End& end, bool in_time, unsig
 class MemoryFile {
  public:
   explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("torse", MFD_CLOEXEC)) {
-    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    bytes = without_byte_order_mark(bytes);
     // limits::file_bytes are far less than what Linux writes at once.
     if (write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
       throw Error(std::string("cannot be copied to memory: ") + std::strerror(errno));

@@ -54,4 +54,9 @@ std::string in_quotes(std::string_view text) {
   return '"' + printable(text.substr(0, cut)) + "...\"";
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
 }  // namespace torse
