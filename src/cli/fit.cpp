@@ -200,7 +200,10 @@ int fit(const FitCommand& command, const FitWishes& wishes) {
   if (command.json != "-") {
     terminal.print(fit_text(title, strip, terminal));
     if (opposite(input.rails)) {
-      terminal.print("  the rails run in opposite directions, it seems: --reverse takes the second one from its end\n");
+      terminal.print(
+          command.input.reverse
+              ? "  the rails run in opposite directions, it seems, because of --reverse\n"
+              : "  the rails run in opposite directions, it seems: --reverse takes the second one from its end\n");
     }
     if (plate) terminal.print(fit_plate_text(*plate, terminal));
   }

@@ -1,6 +1,7 @@
 // torse list: the claims, the engines or the properties, with their titles.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -38,11 +39,18 @@ int run_list(const ListOptions& options) {
   Json engines = Json::array();
   Json properties = Json::array();
   std::string text;
+  std::size_t id_width = 0;
+  std::size_t source_width = 0;
+  for (const proofs::ClaimInfo* info : proofs::all_claims()) {
+    id_width = std::max(id_width, std::string_view(info->id).size());
+    source_width = std::max(source_width, std::string_view(info->source).size());
+  }
   for (const proofs::ClaimInfo* info : proofs::all_claims()) {
     if (!chosen(options, *info)) continue;
     claims.push_back({{"id", info->id}, {"paper", info->paper()}, {"source", info->source}, {"title", info->title}});
-    if (!options.engines && !options.properties)
-      text += fmt::format("{:<11} {:<28} {}\n", info->id, info->source, info->title);
+    if (!options.engines && !options.properties) {
+      text += fmt::format("{:<{}}  {:<{}}  {}\n", info->id, id_width, info->source, source_width, info->title);
+    }
   }
   for (const proofs::Engine& engine : proofs::engines()) {
     engines.push_back({{"name", engine.name}, {"scalar", engine.scalar}, {"may_say", engine.may_say}});

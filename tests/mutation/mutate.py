@@ -199,7 +199,8 @@ def arguments():
     parser.add_argument("words", nargs="*", metavar="N|PATH", help="how many mutants; files or folders to take them from")
     parser.add_argument("--effort", choices=EFFORTS, default="standard", help="quick 100, standard 400, deep all")
     parser.add_argument("--seed", type=int, default=1, help="which of them (default 1)")
-    parser.add_argument("--mutant", metavar="ID", help="this one alone: file:line:column:operator or its digest")
+    parser.add_argument("--mutant", metavar="ID", action="append", help="this one alone (repeatable): file:line:column:operator or its digest")
+    parser.add_argument("--campaign", type=float, default=0, metavar="SECONDS", help="ask a campaign too about those that survive the tests")
     parser.add_argument("--jobs", type=int, default=2, help="tests at a time (default 2)")
     parser.add_argument("--markdown", type=Path, metavar="FILE", help="also write the table there")
     options = parser.parse_args()
@@ -228,11 +229,14 @@ def main():
     (folder / "unreached.txt").write_text(report.unreached(missed, workshop.texts))
     say(f"{len(missed)} of {len(mutants)} mutants are reached by no test: {folder / 'unreached.txt'}")
     if options.mutant:
-        chosen = [m for m in mutants.values() if options.mutant in (m[2].id, m[2].digest)]
-        if not chosen:
-            raise SystemExit(f"no mutant {options.mutant}")
+        chosen = [m for m in mutants.values() if {m[2].id, m[2].digest} & set(options.mutant)]
+        unknown = set(options.mutant) - {name for _, _, m in chosen for name in (m.id, m.digest)}
+        if unknown:
+            raise SystemExit(f"no mutant {', '.join(sorted(unknown))}")
     else:
         chosen = sample(mutants, options.count, options.seed, options.paths)
+    if options.campaign and (found := suite.campaign(options.campaign)):
+        raise SystemExit(f"the campaign fails without a mutant: {found}")
     start = time.monotonic()
     rows = []
 
@@ -244,6 +248,8 @@ def main():
             row.update(result="equivalent", stage="", by=equivalent[mutant.digest][1], seconds=0.0)
         else:
             row.update(suite.judge(mutant, file))
+        if row["result"] == "survived" and options.campaign:
+            row["campaign"] = suite.campaign(options.campaign, mutant)
         return row
 
     with ThreadPoolExecutor(options.jobs) as pool:

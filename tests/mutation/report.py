@@ -13,7 +13,9 @@ COLUMNS = ("mutants", *STAGES, "timeout", "survived", "equivalent", "stillborn")
 
 
 def line(row):
-    return f"{row['result']}: {row['id']} [{row['digest']}] {row['before']} -> {row['after']} ({row['stage']} {row['by']})"
+    by = f"{row['stage']} {row['by']}".strip()
+    campaign = f"; campaign: {row['campaign'] or 'nothing'}" if "campaign" in row else ""
+    return f"{row['result']}: {row['id']} [{row['digest']}] {row['before']} -> {row['after']} ({by}{campaign})"
 
 
 def unreached(mutants, texts):
@@ -44,6 +46,7 @@ def summary(rows, known, left_out, seed, seconds):
     folders = sorted({str(Path(r["file"]).parent) for r in rows})
     return {"date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(), "seed": seed, "seconds": round(seconds),
             "known": known, "left_out": left_out, "total": count(rows),
+            "asked": sum("campaign" in r for r in rows), "found": sum(bool(r.get("campaign")) for r in rows),
             "folders": {f: count([r for r in rows if str(Path(r["file"]).parent) == f]) for f in folders}}
 
 
@@ -59,8 +62,9 @@ def rows_of(result):
 
 def table(result):
     out = [f"{name:18}" + "".join(f"{c:>11}" for c in row) for name, row in rows_of(result)]
+    campaign = f"; a campaign finds {result['found']} of {result['asked']} survivors" if result["asked"] else ""
     return "\n".join(out) + f"\n{result['total']['mutants']} of {result['known']} mutants, seed {result['seed']}, " \
-        f"{result['seconds']} s; {result['left_out']} more cannot be switched at run time"
+        f"{result['seconds']} s; {result['left_out']} more cannot be switched at run time{campaign}"
 
 
 def markdown(result):

@@ -1,7 +1,7 @@
 """The tests of an instrumented build: what each takes and reaches, and which of them fail with a mutant on.
 
   Test       one GoogleTest, or one run of the program
-  Suite      all of them, with the baseline: run once each without a mutant
+  Suite      all of them, with the baseline: run once each without a mutant; a campaign for what they miss
   stage_of   how near a test is to a mutated file
 """
 import hashlib
@@ -25,6 +25,7 @@ STAGES = ("unit", "related", "program", "verify")
 RUNS = {"verify": ["verify", "--effort", "quick"], "example": ["example"]}
 GRACE = 5.0        # seconds that a run may take beyond a multiple of what it takes without a mutant
 SLOWER = 8
+PART = 10.0        # seconds after which a campaign is asked what it has found
 
 
 @dataclass
@@ -155,6 +156,21 @@ class Suite:
 
     def reaching(self, slot):
         return [t for t in self.tests if t.passed and slot in t.reached]
+
+    def campaign(self, seconds, mutant=None):
+        """What a campaign of so many seconds of one processor finds, the property and its seed; "" for nothing."""
+        environment = {} if mutant is None else {"TORSE_MUTANT": str(mutant.slot)}
+        with tempfile.TemporaryDirectory(prefix="torse-mutation-") as folder:
+            os.chmod(folder, 0o777)
+            command = [str(self.build / "torse"), "campaign", "run", "--db", f"{folder}/campaign.db", "--jobs", "1", "--seeds", "1.."]
+            spent = 0.0
+            while spent < seconds:
+                code, out, used = self.run([*command, "--minutes", str(PART / 60)], SLOWER * PART, **environment)
+                spent += max(used, PART)
+                if code != 0:
+                    found = re.search(r"^(?:failed|vacuous): .*", out, re.M)
+                    return found.group() if found else f"signal {-code}" if code < 0 else f"exit {code}"
+        return ""
 
     def judge(self, mutant, source):
         """What happens with the mutant on: {"result", "stage", "by", "seconds"}."""
