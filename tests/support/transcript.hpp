@@ -87,6 +87,15 @@ inline bool fits(const std::vector<std::string>& pattern, const std::vector<std:
   return k == text.size();
 }
 
+/// The printed lines, as the page had them where they fit a line of it.
+inline std::vector<std::string> with_dots(std::vector<std::string> printed, const std::vector<std::string>& old) {
+  for (std::string& line : printed) {
+    const auto same = std::ranges::find_if(old, [&](const std::string& pattern) { return fits(pattern, line); });
+    if (same != old.end() && *same != "...") line = *same;
+  }
+  return printed;
+}
+
 inline std::string as_in_a_page(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += (line.empty() ? "" : page_margin + line) + "\n";
@@ -157,7 +166,7 @@ class Transcript : public ::testing::TestWithParam<std::string> {
       EXPECT_TRUE(same) << GetParam() << ":" << example.line << ": $ " << example.command << "\nprinted\n"
                         << as_in_a_page(printed);
       take(example.line);
-      anew += as_in_a_page(same ? example.printed : printed);
+      anew += as_in_a_page(same ? example.printed : with_dots(printed, example.printed));
       taken += example.printed.size();
     }
     take(lines.size());
