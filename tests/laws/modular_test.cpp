@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -282,6 +283,17 @@ TEST(Batch, WorksLaneByLane) {
     add_product(z, x, y);
     EXPECT_TRUE(lane_by_lane(z, x, y, [](const Zp& a, const Zp& b) { return a + a * b; }));
   }
+}
+
+TEST(Batch, EveryLaneIsAskedForOnce) {
+  std::vector<int> asked;
+  const Batch batch(sample_modulus(), [&](int i) {
+    asked.push_back(i);
+    return std::uint64_t{1};
+  });
+  std::vector<int> lanes(Batch::lanes);
+  std::iota(lanes.begin(), lanes.end(), 0);
+  EXPECT_EQ(asked, lanes);
 }
 
 TEST(Batch, AZeroDivisorUndefinesItsLaneForGood) {
