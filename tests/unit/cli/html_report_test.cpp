@@ -64,6 +64,15 @@ TEST(HtmlPage, KeepsItsLimitAndSaysSo) {
   EXPECT_TRUE(Json::parse(script_of(html_page(small_viewer, report)))["notes"].empty());
 }
 
+TEST(HtmlPage, ThinsListsWithinLists) {
+  Json list = Json::array();
+  for (int i = 0; i < 3; ++i) list.push_back({{"names", Json::array({std::string(60000, 'x')})}});
+  const Json kept = Json::parse(script_of(html_page(small_viewer, report_of({{{"data", list}}}), 100'000)));
+  for (const Json& entry : kept["sections"][0]["data"]) {
+    EXPECT_EQ(entry["names"][0], std::string(20000, 'x') + "\xE2\x80\xA6");
+  }
+}
+
 TEST(HtmlPage, CutsBetweenCharacters) {
   std::string text = "a";
   for (int i = 0; i < 20000; ++i) text += "é";
