@@ -12,6 +12,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "torse/cad/face.hpp"
@@ -21,10 +22,13 @@
 namespace torse::cad {
 namespace {
 
+/// An edge, or those of a wire one after the other. Edges that the explorer does not get to from the first one would be
+/// left out without a word.
 std::vector<TopoDS_Edge> edges_of(const TopoDS_Shape& shape) {
   if (shape.ShapeType() == TopAbs_EDGE) return {TopoDS::Edge(shape)};
   std::vector<TopoDS_Edge> edges;
   for (BRepTools_WireExplorer walk(TopoDS::Wire(shape)); walk.More(); walk.Next()) edges.push_back(walk.Current());
+  if (std::ssize(edges) != shape.NbChildren()) throw Unreadable("its parts do not follow each other");
   return edges;
 }
 
