@@ -50,12 +50,14 @@ void set_limit(__rlimit_resource resource, rlim_t most) {
 
 CadFormats& load(const fs::path& path) { return *reinterpret_cast<CadEntry>(plugin_symbol(path, cad_entry))(); }
 
-void send(int pipe, const std::string& text) {
-  for (std::size_t sent = 0; sent < text.size();) {
-    const ssize_t count = write(pipe, text.data() + sent, text.size() - sent);
-    if (count < 0 && errno != EINTR) _exit(1);
-    if (count > 0) sent += static_cast<std::size_t>(count);
+/// Writes all of a text, which the system may take in parts. Whether that went well; errno tells why not.
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = write(descriptor, text.data(), text.size());
+    if (count < 0 && errno != EINTR) return false;
+    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
   }
+  return true;
 }
 
 /// The child: OpenCASCADE talks on standard output, which belongs to the reports.
@@ -75,8 +77,7 @@ void send(int pipe, const std::string& text) {
   } catch (const std::exception& error) {
     text = refusal + std::string(error.what());
   }
-  send(pipe, text);
-  _exit(0);
+  _exit(write_all(pipe, text) ? 0 : 1);
 }
 
 /// What the child sends until it closes the pipe; none if the time runs out.
@@ -128,9 +129,7 @@ CadCrash failure_of(const std::string& file, const End& end, bool in_time, unsig
 class MemoryFile {
  public:
   explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("torse", MFD_CLOEXEC)) {
-    bytes = without_byte_order_mark(bytes);
-    // limits::file_bytes are far less than what Linux writes at once.
-    if (write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
+    if (!write_all(descriptor_, without_byte_order_mark(bytes))) {
       throw Error(std::string("cannot be copied to memory: ") + std::strerror(errno));
     }
   }

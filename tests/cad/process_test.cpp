@@ -1,8 +1,13 @@
 // The plugin in its child process: answers come back, whatever goes wrong there is one error here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 
 #include "torse/cli/cad_process.hpp"
 
@@ -83,6 +88,73 @@ TEST(CadProcess, TheChildWritesNothingOnStandardOutput) {
     return std::string();
   });
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+}
+
+/// A child that waits uses no processor time: four times as many seconds later it is ended.
+TEST(CadProcess, AChildThatWaitsIsEnded) {
+  const auto asleep = [](CadFormats&) -> std::string {
+    for (;;) pause();
+  };
+  try {
+    run_cad("part.step", asleep, 1);
+    ADD_FAILURE() << "it ended";
+  } catch (const CadCrash& crash) {
+    EXPECT_EQ(crash.reason(), "OpenCASCADE fails on it: it did not end in 1 seconds");
+    EXPECT_EQ(crash.seconds_left(), 0U);
+  }
+}
+
+/// A lower limit of this process, and of its children, while it lives.
+class Limit {
+ public:
+  Limit(__rlimit_resource resource, rlim_t most) : resource_(resource) {
+    getrlimit(resource, &old_);
+    const rlimit limit{most, old_.rlim_max};
+    setrlimit(resource, &limit);
+  }
+  Limit(const Limit&) = delete;
+  Limit& operator=(const Limit&) = delete;
+  ~Limit() { setrlimit(resource_, &old_); }
+
+ private:
+  __rlimit_resource resource_;
+  rlimit old_{};
+};
+
+std::string reason(int error) { return std::string("part.step: cannot be read: ") + std::strerror(error); }
+
+TEST(CadProcess, WithoutAPipeThereIsAnError) {
+  const int first_free = dup(STDERR_FILENO);
+  close(first_free);
+  const Limit files(RLIMIT_NOFILE, static_cast<rlim_t>(first_free));
+  EXPECT_EQ(error_of([](CadFormats&) { return std::string(); }), reason(EMFILE));
+}
+
+/// In a process of its own: root has no limit of processes, and who has given up being root cannot go back.
+TEST(CadProcess, WithoutAChildThereIsAnError) {
+  const auto without = [] {
+    if (getuid() == 0 && setuid(65534) != 0) std::_Exit(2);
+    const Limit processes(RLIMIT_NPROC, 0);
+    std::_Exit(error_of([](CadFormats&) { return std::string(); }) == reason(EAGAIN) ? 0 : 1);
+  };
+  EXPECT_EXIT(without(), ::testing::ExitedWithCode(0), "");
+}
+
+/// The system takes the part of the file for which there is room, and tells why no more only when asked again.
+TEST(CadProcess, AFileWithoutRoomInMemoryIsAnError) {
+  const auto old = signal(SIGXFSZ, SIG_IGN);
+  {
+    const Limit size(RLIMIT_FSIZE, 4096);
+    try {
+      errno = 0;
+      read_cad("part.step", CadFormat::step, std::string(8192, ' '));
+      ADD_FAILURE() << "it was read";
+    } catch (const FileError& error) {
+      EXPECT_STREQ(error.what(),
+                   (std::string("part.step: cannot be copied to memory: ") + std::strerror(EFBIG)).c_str());
+    }
+  }
+  signal(SIGXFSZ, old);
 }
 
 }  // namespace
