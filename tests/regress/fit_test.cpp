@@ -1,89 +1,20 @@
 // torse fit, the real program: the surface is exactly on its rails and on the mapping that is reported, exit codes,
 // what is refused.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <numbers>
-#include <regex>
 
-#include "support/program.hpp"
+#include "regress/fit_rails.hpp"
 #include "torse/algebra/determinant.hpp"
-#include "torse/exact/rational/rational.hpp"
-#include "torse/io/spline_file.hpp"
 #include "torse/quasi/mapping.hpp"
 
 namespace torse::testing {
 namespace {
 
-using nlohmann::json;
 using ::testing::HasSubstr;
-using Q = Rational;
-
-/// c(t) = d(t^2) + (1 + t) e: a cylinder.
-const std::string cylinder = R"({"torse": 1, "type": "rails",
-  "c": {"degree": 4, "points": [[0,0,1],[0,0,"5/4"],["1/6",0,"3/2"],["1/2",0,"7/4"],[1,1,2]]},
-  "d": {"degree": 2, "points": [[0,0,0],["1/2",0,0],[1,1,0]]}})";
-
-/// A cubic and a quadratic with knots and domains of their own; `strip` has weights too.
-const std::string open_strip = R"({"torse": 1, "type": "rails",
-  "c": {"degree": 3, "knots": [2,2,2,3,5,5,5], "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1],[4,0,0]]},
-  "d": {"degree": 2, "knots": [0,0,"1/3",1,1], "points": [[0.2,1.5,0.1],[1.5,1.9,0.6],[2.5,1.3,-0.1],[4.1,1.4,0.4]])";
-const std::string plain = open_strip + "}}";
-const std::string strip = open_strip + R"(, "weights": [1,2,1,1]}})";
-
-const std::string skew = R"({"torse": 1, "type": "rails",
-  "c": {"degree": 1, "points": [[-1,0,0],[1,0,0]]}, "d": {"degree": 1, "points": [[0,-1,1],[0,1,1]]}})";
-
-const std::string point = R"({"torse": 1, "type": "rails",
-  "c": {"degree": 1, "points": [[1,2,3],[1,2,3]]}, "d": {"degree": 1, "points": [[1,2,3],[1,2,3]]}})";
-
-/// Rails that are hard in one way each, and whether they can be fitted.
-const std::string smooth = R"("degree": 3, "points": [["0.2",1.5,0.1],[1,1.9,0.6],[2,1.3,-0.1],[4.1,1.4,0.4]]})";
-const std::vector<std::pair<const char*, std::string>> hard{
-    {"cusp", R"({"degree": 3, "points": [[0,0,0],[3,2,0],[-1,2,0],[2,0,0.3]]})"},
-    {"stationary", R"({"degree": 3, "points": [[0,0,0],[0,0,0],[0,0,0],[3,1,0]]})"},
-    {"straight, slow", R"({"degree": 3, "points": [[0,0,0],[0.001,0,0],[0.002,0,0],[3,0,0]]})"},
-    {"same ends", R"({"degree": 3, "points": [[0.2,1.5,0.1],[1,0,0],[2,0,0],[4.1,1.4,0.4]]})"},
-    {"kinks", R"({"degree": 1, "knots": [0,1,2,2.5], "points": [[0,0,0],[1,0,0.5],[2,0,0],[2,-1,0]]})"},
-    {"far away", R"({"degree": 3, "points": [["1e9",0,0],["1e9",0.4,0.2],["1e9",-0.2,0.5],["1e9",0.3,0.1]]})"},
-    {"beyond doubles", R"({"degree": 1, "points": [["-1e400",0,0],["1e400",1,0]]})"},
-    {"weights of both signs",
-     R"({"degree": 3, "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1]], "weights": [1,-1,2,1]})"},
-    {"knots nearer than doubles tell",
-     R"({"degree": 2, "knots": [0,0,"1e-30",1,1], "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1]]})"},
-};
-
-class Fit : public ::testing::Test {
- public:
-  std::string file(const std::string& name, const std::string& text = "") const {
-    if (!text.empty()) spill(scratch / name, text);
-    return (scratch / name).string();
-  }
-
-  ProgramResult run(const std::string& text, const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> words{"fit", file("rails.json", text), "-o", file("out.json")};
-    words.insert(words.end(), options.begin(), options.end());
-    return run_program(words);
-  }
-
-  /// The report on the one strip.
-  json report(const std::string& text, std::vector<std::string> options = {}) const {
-    options.insert(options.end(), {"--json", file("report.json")});
-    const ProgramResult result = run(text, options);
-    EXPECT_EQ(result.exit, 0) << result.err;
-    const std::string bytes = slurp(scratch / "report.json");
-    EXPECT_TRUE(bytes.starts_with("{\n  \"torse\": 1,\n  \"surfaces\": [\n    {")) << bytes.substr(0, 60);
-    return json::parse(bytes).at("surfaces").at(0);
-  }
-
-  RuledFile<Q> written() const { return read_ruled<Q>(Document("out.json", slurp(scratch / "out.json"))); }
-
-  const Scratch scratch;
-};
 
 using Row = Vec<Q, 4>;
 
@@ -319,7 +250,6 @@ TEST_F(Fit, WritesWhatItsNameSays) {
   EXPECT_EQ(slurp(scratch / "b.glb").substr(0, 4), "glTF");
 }
 
-/// The picture holds as many quadrangles as rulings but one for either strip, and all three diagrams.
 /// Two rails with a loop, one above the other: a monotone mapping does not keep the strip from crossing itself.
 TEST_F(Fit, FindsCrossingsAndFolds) {
   const std::string loop = R"({"torse": 1, "type": "rails",
@@ -332,133 +262,6 @@ TEST_F(Fit, FindsCrossingsAndFolds) {
   const json simple = this->report(strip);
   EXPECT_EQ(simple.at("self_intersection").at("crosses"), false);
   EXPECT_EQ(simple.at("folds").at("folded"), false);
-}
-
-TEST_F(Fit, DrawsItself) {
-  for (const char* method : {"warp", "paper"}) {
-    const ProgramResult result = run(strip, {"--method", method, "--coefficients", "10", "--svg", file("picture.svg")});
-    EXPECT_EQ(result.exit, 0) << result.err;
-    const std::string svg = slurp(scratch / "picture.svg");
-    EXPECT_THAT(svg, HasSubstr("</svg>"));
-    for (const char* title : {"mapping", "warp along the first rail", "convergence"})
-      EXPECT_THAT(svg, HasSubstr(title));
-    EXPECT_EQ(svg.find("nan"), std::string::npos);
-    EXPECT_EQ(svg.find("inf"), std::string::npos);
-    std::size_t quadrangles = 0;
-    for (std::size_t at = svg.find("Z\"/>"); at != std::string::npos; at = svg.find("Z\"/>", at + 1)) ++quadrangles;
-    EXPECT_GT(quadrangles, 400U);
-    std::size_t rulings = 0;  // every eighth, from the first on, in two strips
-    for (std::size_t at = svg.find("\"ruling\""); at != std::string::npos; at = svg.find("\"ruling\"", at + 1))
-      ++rulings;
-    EXPECT_EQ(rulings, 2 * ((quadrangles / 2 + 1 + 7) / 8));
-    // Each strip in its frame of 430 by 310, which one of them fills in a direction.
-    const std::regex corner("[M ]([-0-9.]+),([-0-9.]+)(?=[ Z\"])");
-    double reach = 0;
-    const std::string strips = svg.substr(0, svg.find(">mapping<"));
-    for (std::sregex_iterator found(strips.begin(), strips.end(), corner), end; found != end; ++found) {
-      const double x = std::stod(found->str(1));
-      const double y = std::stod(found->str(2));
-      const double across = std::abs(x - (x < 480 ? 245 : 715)) / 215;
-      const double up = std::abs(y - 205) / 155;
-      EXPECT_LE(std::max(across, up), 1.0001) << found->str();
-      reach = std::max({reach, across, up});
-    }
-    EXPECT_NEAR(reach, 1, 1e-4);
-  }
-}
-
-/// The convergence ends with the last step, a part of the time that the fit took: the same clock, in milliseconds.
-TEST_F(Fit, DrawsTheConvergenceInMilliseconds) {
-  for (const char* method : {"warp", "paper"}) {
-    const json report = this->report(strip, {"--method", method, "--coefficients", "10", "--svg", file("picture.svg")});
-    const double milliseconds = 1000 * report.at("seconds").get<double>();
-    const std::string svg = slurp(scratch / "picture.svg");
-    const std::string last = "<text x=\"920.00\" y=\"705.00\" text-anchor=\"middle\">";
-    const std::size_t at = svg.find(last, svg.find(">convergence</text>"));
-    ASSERT_NE(at, std::string::npos);
-    const double end = std::stod(svg.substr(at + last.size(), 20));
-    EXPECT_LE(end, 1.01 * milliseconds);   // three digits
-    EXPECT_GT(end, 0.002 * milliseconds);  // seconds would be at most a thousandth, whatever the machine does meanwhile
-  }
-}
-
-/// Strips along x begin on the side of their smaller x.
-TEST_F(Fit, DrawsXToTheRight) {
-  for (const double direction : {1.0, -1.0}) {
-    json rails = json::parse(plain);
-    for (const char* rail : {"c", "d"}) {
-      for (json& xyz : rails[rail]["points"]) xyz[0] = direction * xyz[0].get<double>();
-    }
-    const ProgramResult result = run(rails.dump(), {"--method", "same", "--svg", file("picture.svg")});
-    ASSERT_EQ(result.exit, 0) << result.err;
-    const std::string svg = slurp(scratch / "picture.svg");
-    const double middle = 30 + 430.0 / 2;
-    EXPECT_GT((middle - std::stod(svg.substr(svg.find("d=\"M") + 4, 20))) * direction, 50);
-  }
-}
-
-TEST_F(Fit, HardRailsGiveACertifiedSurfaceNoWorseThanTheSameParameter) {
-  bool first = false;
-  for (const auto& [name, curve] : hard) {
-    SCOPED_TRACE(name);
-    first = !first;
-    const std::string other = "{" + smooth;
-    const std::string rails = R"({"torse": 1, "type": "rails", "c": )" + (first ? curve : other) + R"(, "d": )" +
-                              (first ? other : curve) + "}";
-    const json report = this->report(rails, {"--coefficients", "8"});
-    const double before = report.at("before").at("mean_deg");
-    const double after = report.at("after").at("mean_deg");
-    EXPECT_LE(after, before * 1.001 + 1e-9);
-    EXPECT_LE(report.at("max_warp_deg").at("lo"), report.at("max_warp_deg").at("hi"));
-    EXPECT_LE(report.at("max_warp_deg").at("hi"), 90);
-    EXPECT_EQ(run_program({"check", file("out.json"), "--json", file("check.json")}).exit, 1);
-  }
-}
-
-/// The warp is free of scale, so sizes of a millionth and a million give the same surface but for its size.
-TEST_F(Fit, SizesDoNotMatter) {
-  const auto scaled = [](const std::string& factor) {
-    json rails = json::parse(plain);
-    for (const char* rail : {"c", "d"}) {
-      for (json& xyz : rails[rail]["points"]) {
-        for (json& x : xyz) x = x.dump() + factor;
-      }
-    }
-    return rails.dump();
-  };
-  const json usual = this->report(scaled(""), {"--coefficients", "10"});
-  for (const char* factor : {"e-6", "e6", "e-200"}) {
-    SCOPED_TRACE(factor);
-    const json other = this->report(scaled(factor), {"--coefficients", "10"});
-    EXPECT_EQ(other.at("mapping").at("coefficients"), usual.at("mapping").at("coefficients"));
-    EXPECT_NEAR(other.at("max_warp_deg").at("hi"), usual.at("max_warp_deg").at("hi"), 1e-9);
-  }
-}
-
-/// A rail of one point makes a cone, equal rails no strip at all, and rails that nearly touch are rails as others.
-TEST_F(Fit, UnusualRailsAreNamed) {
-  const std::string curve = R"({"degree": 3, "points": [[0,0,0],[1,0.4,0.2],[2,-0.2,0.5],[3,0.3,0.1]]})";
-  const std::string near =
-      R"({"degree": 3, "points": [[0,1e-6,0],[1,0.4,0.200001],[2,-0.199999,0.5],[3,0.3,0.100001]]})";
-  const std::string spot = R"({"degree": 1, "points": [[1,5,2],[1,5,2]]})";
-  const auto rails = [](const std::string& c, const std::string& d) {
-    return R"({"torse": 1, "type": "rails", "c": )" + c + R"(, "d": )" + d + "}";
-  };
-  for (const bool second : {false, true}) {
-    const std::string text = second ? rails(curve, spot) : rails(spot, curve);
-    const json cone = this->report(text, {"--coefficients", "6"});
-    EXPECT_EQ(cone.at("developable"), true);
-    EXPECT_TRUE(cone.at("self_intersection").at("crosses").is_null());
-    EXPECT_THAT(cone.at("notes").at(0).get<std::string>(),
-                HasSubstr(second ? "second rail is one" : "first rail is one"));
-    EXPECT_THAT(run_program({"check", file("out.json")}).out, HasSubstr("cone"));
-  }
-  const json same = this->report(rails(curve, curve), {"--coefficients", "6"});
-  EXPECT_THAT(same.at("notes").at(0).get<std::string>(), HasSubstr("the same curve: there is no strip"));
-  const json close = this->report(rails(curve, near), {"--coefficients", "6"});
-  EXPECT_FALSE(close.contains("notes"));
-  EXPECT_LE(close.at("after").at("mean_deg"), close.at("before").at("mean_deg"));
-  EXPECT_LE(close.at("max_warp_deg").at("lo"), close.at("max_warp_deg").at("hi"));
 }
 
 /// Of the strips with fixed ends the least maximum is that of the end rulings here; the mean is low all the same.
@@ -507,7 +310,7 @@ TEST_F(Fit, RefusesAndWritesNothing) {
   refused(strip, {"--within", "0"}, "--within: expected a length above 0, found 0");
   refused(strip, {"--within", "1", "--simplest", "point"}, "did you mean points?");
   refused(strip, {"--within", "1"}, "d.weights: expected a rail without weights for a simpler surface");
-  refused(strip, {"-o", file("out.xyz")}, ".xyz");
+  refused(strip, {"-o", file("out.xyz")}, "--output: expected an extension among .json, ");
   refused(strip, {"--unroll", file("out.obj")}, "--unroll: expected a name that ends in .svg, .dxf or .json");
   refused(strip, {"-o", "-", "--json", "-"}, "standard output");
 }
