@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "support/knots.hpp"
 #include "torse/developable/condition.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/spline/curve.hpp"
@@ -15,12 +16,6 @@ using Q = Rational;
 using Point3 = Vec<Q, 3>;
 
 inline Point3 point(int x, int y, int z) { return Point3(Q(x), Q(y), Q(z)); }
-
-inline KnotList<Q> knots(int degree, const std::vector<int>& list) {
-  std::vector<Q> u;
-  for (int knot : list) u.push_back(Q(knot));
-  return KnotList<Q>(degree, std::move(u));
-}
 
 /// Clamped and not, with repeated knots and an empty piece; degrees 1 to 4. None contains -1 or 9.
 inline std::vector<KnotList<Q>> knot_lists() {

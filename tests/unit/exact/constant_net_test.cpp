@@ -10,21 +10,17 @@
 #include <utility>
 #include <vector>
 
+#include "support/knots.hpp"
 #include "torse/exact/repair/vectors.hpp"
 
 namespace torse::repair {
 namespace {
 
 using Q = Rational;
+using test::knots;
 using Row = Vec<Q, 4>;
 
 Q q(int num, int den = 1) { return ratio<Q>(num, den); }
-
-KnotList<Q> knots(int degree, const std::vector<int>& list) {
-  std::vector<Q> u;
-  for (int knot : list) u.push_back(Q(knot));
-  return KnotList<Q>(degree, std::move(u));
-}
 
 /// The affine blossom value between x and y with weight t of y.
 Row between(const Row& x, const Row& y, const Q& t) {

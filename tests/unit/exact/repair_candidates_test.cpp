@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/knots.hpp"
 #include "torse/developable/linear_net.hpp"
 #include "torse/developable/special.hpp"
 #include "torse/exact/repair/edge_solver.hpp"
@@ -18,15 +19,10 @@ namespace torse::repair {
 namespace {
 
 using Q = Rational;
+using test::knots;
 using Row4 = Vec<Q, 4>;
 
 Q q(int num, int den = 1) { return ratio<Q>(num, den); }
-
-KnotList<Q> knots(int degree, const std::vector<int>& list) {
-  std::vector<Q> u;
-  for (int knot : list) u.push_back(Q(knot));
-  return KnotList<Q>(degree, std::move(u));
-}
 
 /// A winding row of homogeneous points, with weights from 6/8 to 10/8.
 std::vector<Row4> winding(int count, bool weighted, std::mt19937_64& rng) {

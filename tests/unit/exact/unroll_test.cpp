@@ -9,75 +9,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "torse/scalar/builtin.hpp"
-#include "torse/spline/curve.hpp"
+#include "unit/exact/unroll_surfaces.hpp"
 
-namespace torse {
+namespace torse::test {
 namespace {
 
-using Q = Rational;
-using Rows = std::vector<Vec<Q, 4>>;
-using Point = std::array<double, 3>;
 using ::testing::SizeIs;
-
-/// A ruled surface by homogeneous rows, with its points in doubles.
-struct Surface {
-  KnotList<Q> u;
-  Rows p;
-  Rows q;
-
-  std::vector<PieceStrip> strips() const { return piece_strips(u, p, q); }
-
-  Plate plate(double tolerance, double warp = 0, bool mirrored = false) const {
-    const std::vector<PieceStrip> list = strips();
-    EXPECT_THAT(find_obstacles(list), SizeIs(0));
-    return unroll_plate(list, {tolerance, ruling_marks(u, list, 6), warp, mirrored});
-  }
-
-  Point point(const Rows& row, const Q& t) const {
-    int k = 1;
-    while (k < u.pieces() && (definitely(u.piece_empty(k)) || u.piece_end(k) < t)) ++k;
-    const Vec<Q, 4> x = curve_point<Q, Vec<Q, 4>>(u, row, k, t);
-    return {(x[1] / x[0]).to_double(), (x[2] / x[0]).to_double(), (x[3] / x[0]).to_double()};
-  }
-  Point c(const Q& t) const { return point(p, t); }
-  Point d(const Q& t) const { return point(q, t); }
-  Point c(double t) const { return point(p, t); }
-  Point d(double t) const { return point(q, t); }
-  /// By de Boor's algorithm in doubles.
-  Point point(const Rows& row, double t) const {
-    std::vector<double> knots;
-    for (const Q& x : u.list()) knots.push_back(x.to_double());
-    std::vector<Vec<double, 4>> control;
-    for (const auto& x : row)
-      control.push_back(Vec<double, 4>(x[0].to_double(), x[1].to_double(), x[2].to_double(), x[3].to_double()));
-    int k = 1;
-    const KnotList<double> list(u.degree(), knots);
-    while (k < list.pieces() && list.piece_end(k) < t) ++k;
-    const Vec<double, 4> x = curve_point<double, Vec<double, 4>>(list, control, k, t);
-    return {x[1] / x[0], x[2] / x[0], x[3] / x[0]};
-  }
-};
-
-Rows rows(const std::vector<std::array<double, 3>>& points, const std::vector<double>& weights = {}) {
-  Rows result;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Q w = weights.empty() ? Q(1) : Q::from_double(weights[i]);
-    result.push_back(
-        {w, w * Q::from_double(points[i][0]), w * Q::from_double(points[i][1]), w * Q::from_double(points[i][2])});
-  }
-  return result;
-}
-
-Surface bezier(Rows p, Rows q) {
-  const int n = static_cast<int>(p.size()) - 1;
-  return {bezier_knots<Q>(n), std::move(p), std::move(q)};
-}
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double distance(const Point& a, const Point& b) { return std::sqrt(dot(minus(a, b), minus(a, b))); }
-double distance(const PlatePoint& a, const PlatePoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// The integral of f over [a, b] by Boost's adaptive quadrature, in parts of a piece.
 template <class F>
@@ -240,19 +177,6 @@ TEST(Plate, AConeUnrollsToASector) {
   EXPECT_NEAR(plate.area_before.lower(), area * 15 / 16, 1e-5);
 }
 
-/// r + k r', k = 1, 2, of the twisted cubic.
-Surface tangent_surface() {
-  Surface surface = bezier(Rows(4), Rows(4));
-  for (int k = 1; k <= 2; ++k) {
-    Rows& x = k == 1 ? surface.p : surface.q;
-    for (int i = 0; i <= 3; ++i) {
-      x[static_cast<std::size_t>(i)] = {Q(1), Q(k) + ratio<Q>(i, 3), ratio<Q>(2 * k * i, 3) + ratio<Q>(i * (i - 1), 6),
-                                        Q(k) * ratio<Q>(i * (i - 1), 2) + ratio<Q>(i * (i - 1) * (i - 2), 6)};
-    }
-  }
-  return surface;
-}
-
 /// The image of the last ruling by a chain of triangles between the rulings, whose sides are straight in space: an
 /// error of second order in their number, removed by Richardson's extrapolation.
 std::array<double, 4> by_triangles(const Surface& surface, int steps) {
@@ -407,43 +331,10 @@ TEST(Plate, HugeTinyAndFarAway) {
   }
 }
 
-/// The first obstacle by reason and place.
-std::pair<Singularity, std::array<double, 2>> first_obstacle(const Surface& surface) {
-  const std::vector<SingularSet> sets = find_obstacles(surface.strips());
-  EXPECT_FALSE(sets.empty());
-  if (sets.empty()) return {};
-  return {sets.front().reason, {sets.front().from.root.lower.to_double(), sets.front().to.root.lower.to_double()}};
-}
-
-TEST(Obstacles, AreNamedWithTheirParameters) {
-  using enum Singularity;
-  const auto at = [](Singularity reason, double from, double to) {
-    return std::pair(reason, std::array<double, 2>{from, to});
-  };
-  // Planar rails that cross at t = 1/2.
-  EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 1, 0}}), rows({{0, 1, 0}, {1, 0, 0}}))),
-            at(vanishing, 0.5, 0.5));
-  EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 1, 0}}), rows({{0, 0, 0}, {1, 1, 0}}))), at(vanishing, 0, 1));
-  // Rails 4 t^2 - 1 apart: they cross at t = -1/2 too, outside.
-  EXPECT_EQ(
-      first_obstacle(bezier(rows({{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}}), rows({{0, -1, 0}, {0.5, -1, 0}, {1, 3, 0}}))),
-      at(vanishing, 0.5, 0.5));
-  // A plane whose edge of regression comes between the rails: the D rail turns back at t = 1/2.
-  EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), rows({{0, 1, 0}, {1, 1, 0}, {0, 1, 0}}))),
-            at(edge, 0.5, 1));
-  EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 0, 0}}, {1, -1}), rows({{0, 1, 0}, {1, 1, 0}}))),
-            at(pole, 0.5, 0.5));
-  EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 0, 0}}), rows({{3, 0, 0}, {5, 0, 0}}))), at(no_surface, 0, 1));
-  // A cylinder whose section comes back on its own way.
-  EXPECT_EQ(first_obstacle(bezier(rows({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}), rows({{0, 1, 0}, {1, 1, 0}, {0, 1, 0}}))),
-            at(stationary, 0.5, 0.5));
-  EXPECT_THAT(find_obstacles(tangent_surface().strips()), SizeIs(0));
-}
-
 TEST(Plate, AToleranceOutOfReachIsAnError) {
   const Surface surface = tangent_surface();
   EXPECT_THROW(unroll_plate(surface.strips(), {1e-40, {}}), InvalidInput);
 }
 
 }  // namespace
-}  // namespace torse
+}  // namespace torse::test

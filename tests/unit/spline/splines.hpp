@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "support/knots.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/spline/basis.hpp"
 #include "torse/spline/curve.hpp"
@@ -17,12 +18,6 @@ namespace torse::test {
 
 using Q = Rational;
 using Point2 = Vec<Q, 2>;
-
-inline KnotList<Q> knots(int degree, const std::vector<int>& list) {
-  std::vector<Q> u;
-  for (int knot : list) u.push_back(Q(knot));
-  return KnotList<Q>(degree, std::move(u));
-}
 
 inline std::vector<KnotList<Q>> knot_lists() {
   return {knots(1, {0, 1}),
