@@ -1,5 +1,6 @@
 #include "torse/exact/quasi/self_intersection.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +11,7 @@
 #include "torse/algebra/bernstein.hpp"
 #include "torse/algebra/determinant.hpp"
 #include "torse/developable/warp.hpp"
-#include "torse/exact/quasi/rounded_strip.hpp"
+#include "torse/exact/quasi/strip_crossing.hpp"
 #include "torse/exact/warp/quotient.hpp"
 #include "torse/scalar/builtin.hpp"
 #include "torse/spline/insertion.hpp"
@@ -244,10 +245,10 @@ Truth in_order_exactly(const Part& x, const Part& y) {
 
 class Search {
  public:
-  Search(std::vector<std::unique_ptr<Part>>& parts, bool closed, const RoundedStrip& strip, long most_pairs)
+  Search(std::vector<std::unique_ptr<Part>>& parts, bool closed, const CrossingFinder& finder, long most_pairs)
       : last_(static_cast<double>(parts.size())),
         closed_(closed),
-        strip_(strip),
+        finder_(finder),
         left_(most_pairs),
         exact_left_(static_cast<int>(std::min(most_pairs / pairs_per_exact, most_exact))) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -280,7 +281,7 @@ class Search {
       return;
     }
     if (&x != &y && x.halvings == promising_halvings && y.halvings == promising_halvings) {
-      witness_ = strip_.crossing_near((x.begin + x.end) / 2, (y.begin + y.end) / 2);
+      witness_ = finder_.near((x.begin + x.end) / 2, (y.begin + y.end) / 2);
     }
     if (&x == &y) {
       split(x);
@@ -302,7 +303,7 @@ class Search {
 
   double last_;
   bool closed_;
-  const RoundedStrip& strip_;
+  const CrossingFinder& finder_;
   long left_;
   int exact_left_;
   bool decided_ = true;
@@ -339,7 +340,7 @@ SelfIntersection find_self_intersection(const KnotList<Q>& u, std::span<const Ve
   const auto closes = [&](std::span<const Vec<Q, D>> row) {
     return end_point(row, pieces.front(), u.domain_begin()) == end_point(row, pieces.back(), u.domain_end());
   };
-  return Search(parts, closes(c) && closes(d), RoundedStrip(u, c, d), budget(u.degree(), most_pairs)).result();
+  return Search(parts, closes(c) && closes(d), CrossingFinder(u, c, d), budget(u.degree(), most_pairs)).result();
 }
 
 template SelfIntersection find_self_intersection<3>(const KnotList<Q>&, std::span<const Vec<Q, 3>>,

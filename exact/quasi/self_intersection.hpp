@@ -1,5 +1,4 @@
-// Whether rulings of a strip cross each other: certified by subdivision, or a crossing as a witness.
-//   RulingCrossing            two points of different rulings that coincide
+// Whether rulings of a strip cross each other: certified by subdivision, or by a crossing as a witness.
 //   SelfIntersection          no, yes with a witness, or unknown
 //   find_self_intersection    of the whole surface
 #pragma once
@@ -8,21 +7,12 @@
 #include <span>
 
 #include "torse/algebra/eigen.hpp"
+#include "torse/exact/quasi/strip_crossing.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/scalar/truth.hpp"
 #include "torse/spline/knots.hpp"
 
 namespace torse {
-
-/// The points at `first_share` of the ruling of `first` and at `second_share` of that of `second`, between 0 (on c) and
-/// 1, are `distance` apart, a rounding error in the size of the surface. Parameters of the knot list.
-struct RulingCrossing {
-  double first;
-  double first_share;
-  double second;
-  double second_share;
-  double distance;
-};
 
 struct SelfIntersection {
   Truth crosses = Truth::unknown;
@@ -34,10 +24,10 @@ struct SelfIntersection {
 /// - within a part no two rulings cross if for some direction e the products det(e, w_j, a_i) and det(e, w_j, b_i) of
 ///   the Bernstein coefficients of w = d - c, a ~ c' and b ~ d' are all at least 0 and not all 0: then both rails leave
 ///   every ruling to the same side. Neighbouring rulings may share a point of a rail (the vertex of a cone).
-/// `yes` is found by Newton's method in doubles. `unknown` where `most_pairs` pairs of parts did not tell, as for
-/// strips that touch themselves. The ends of a closed strip may meet. D = 3: points of a polynomial surface, D = 4:
-/// homogeneous rows. Where a rail's weights have both signs, parts are not separated before subdivision has parted
-/// these.
+/// `yes` is certified by a crossing near the witness, see CrossingFinder. `unknown` where `most_pairs` pairs of parts
+/// did not tell, as for strips that touch themselves. The ends of a closed strip may meet. D = 3: points of a
+/// polynomial surface, D = 4: homogeneous rows. Where a rail's weights have both signs, parts are not separated before
+/// subdivision has parted these.
 template <int D>
 SelfIntersection find_self_intersection(const KnotList<Rational>& u, std::span<const Vec<Rational, D>> c,
                                         std::span<const Vec<Rational, D>> d, long most_pairs = 20'000);

@@ -289,6 +289,16 @@ TEST_F(Fit, ExtendedEndsAreNeverWorseThanFixedOnes) {
   EXPECT_GT(longer, 0) << "no strip is extended";
 }
 
+/// The mapping has a piece of length 2e-8, whose rulings come nearer to each other than any tolerance tells, but do not
+/// cross.
+TEST_F(Fit, NeighboursInATinyPieceDoNotCross) {
+  const ProgramResult result = run_program({"fit", TORSE_SOURCE_PATH "/examples/twisted.json", "-o", file("out.json"),
+                                            "--coefficients", "8", "--regular", "--json", file("report.json")});
+  EXPECT_EQ(result.exit, 0) << result.err;
+  const json report = json::parse(slurp(scratch / "report.json")).at("surfaces").at(0);
+  EXPECT_EQ(report.at("self_intersection").at("crosses"), false);
+}
+
 TEST_F(Fit, RefusesAndWritesNothing) {
   const auto refused = [&](const std::string& text, const std::vector<std::string>& options, const std::string& words) {
     const ProgramResult result = run(text, options);
