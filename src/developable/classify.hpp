@@ -4,6 +4,7 @@
 //   classify          the smallest class that contains every piece
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -68,13 +69,13 @@ class RowsSeenFrom {
     while (!definitely(equal(S(centre_[unit_]), from_int<S>(1)))) ++unit_;
   }
 
-  /// Whether the rows first, ..., last are proportional. Those that were seen to be for the piece before are not looked
-  /// at again.
+  /// Whether the rows first, ..., last are proportional. `first` does not fall from piece to piece; rows that were seen
+  /// to be for the piece before are not looked at again.
   bool proportional(std::size_t first, std::size_t last) {
-    if (first < begin_ || first > end_) begin_ = end_ = first;
+    end_ = std::max(end_, first);
     if (extend(last)) return true;
     ratio_.reset();
-    begin_ = end_ = first;
+    end_ = first;
     return extend(last);
   }
 
@@ -109,8 +110,7 @@ class RowsSeenFrom {
   Vec<S, 4> centre_;
   std::span<const Vec<S, 4>> p_, q_;
   int unit_ = 0;
-  std::optional<std::pair<S, S>> ratio_{};  // l, m; they hold from begin_ to before end_
-  std::size_t begin_ = 0;
+  std::optional<std::pair<S, S>> ratio_{};  // l, m; they hold for the piece's rows before end_
   std::size_t end_ = 0;
 };
 

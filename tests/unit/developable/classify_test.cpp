@@ -253,6 +253,47 @@ TEST(Classify, OneRulingBesideTheVertexIsNoCone) {
   EXPECT_EQ(surface.classified().kind, SurfaceClass::tangent);
 }
 
+/// A cone about (0, 0, 1) that goes on as one about another point; both have the ruling on the line of their vertices.
+/// All rows have this weight.
+SurfaceClass about_another_vertex(const Point3& other, const Q& weight) {
+  const Point3 vertex = point(0, 0, 1);
+  const auto on_line = [&](int t) { return Point3(combine(Q(1 - t), vertex, Q(t), other)); };
+  const auto seen_from = [](const Point3& centre, const Q& ratio, const Point3& x) {
+    return Point3(combine(Q(1) - ratio, centre, ratio, x));
+  };
+  // The ratio of the common ruling is 2 about the one and 5/2 about the other vertex.
+  std::vector<Point3> c{point(1, 2, 0), point(3, 1, 5), on_line(3), point(4, -2, 3), point(-1, 7, 2)};
+  std::vector<Point3> d;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    d.push_back(i <= 2 ? seen_from(vertex, Q(2), c[i]) : seen_from(other, ratio<Q>(5, 2), c[i]));
+  }
+  const std::vector<Q> weights(c.size(), weight);
+  const Net made{two_pieces, {std::move(c), weights}, {std::move(d), weights}};
+  EXPECT_TRUE(made.developable());
+  return made.classified().kind;
+}
+
+/// The rows of the second piece are proportional seen from points that are easily mistaken for the vertex: its mirror
+/// image, the one further along all axes, the one by the weight nearer to the origin.
+TEST(Classify, ASecondVertexIsNotTheFirst) {
+  EXPECT_EQ(about_another_vertex(point(0, 0, -1), Q(1)), SurfaceClass::tangent);
+  EXPECT_EQ(about_another_vertex(point(1, 1, 2), Q(1)), SurfaceClass::tangent);
+  EXPECT_EQ(about_another_vertex(Point3(Q(0), Q(0), ratio<Q>(1, 2)), Q(2)), SurfaceClass::tangent);
+}
+
+/// A cone about (0, 0, 1) by the ratio 2 that goes on in the plane y = 0, with rows that keep the ratio in z alone.
+TEST(Classify, EveryCoordinateOfTheRowsHasTheRatio) {
+  const std::vector<Point3> c{point(1, 2, 0), point(3, 1, 5), point(1, 0, 2), point(4, 0, 3), point(5, 0, 7)};
+  std::vector<Point3> d;
+  for (const Point3& x : c) d.push_back(Point3(Q(2) * x[0], Q(2) * x[1], Q(2) * x[2] - Q(1)));
+  d[3][0] += Q(1);
+  d[4][0] -= Q(4);
+  const std::vector<Q> ones(c.size(), Q(1));
+  const Net made{two_pieces, {c, ones}, {d, ones}};
+  EXPECT_TRUE(made.developable());
+  EXPECT_EQ(made.classified().kind, SurfaceClass::tangent);
+}
+
 TEST(Classify, EveryClassHasItsWord) {
   EXPECT_EQ(name_of(SurfaceClass::plane), "plane");
   EXPECT_EQ(name_of(SurfaceClass::cylinder), "cylinder");
