@@ -167,10 +167,7 @@ Polynomial<S> gcd(Polynomial<S> f, Polynomial<S> g) {
 template <class List>
 auto common_divisor(const List& list) {
   typename List::value_type common;
-  for (const auto& f : list) {
-    common = gcd(common, f);
-    if (common.degree() == 0) break;
-  }
+  for (const auto& f : list) common = gcd(common, f);
   return common;
 }
 

@@ -25,6 +25,7 @@ TEST(Binomial, SmallAndLarge) {
   EXPECT_EQ(binomial<Q>(5, -1), Q(0));
   EXPECT_EQ(binomial<Q>(5, 6), Q(0));
   EXPECT_EQ(binomial<Q>(61, 30), Q(232714176627630544));
+  EXPECT_EQ(binomial<Q>(70, 35), Q(112186277816662845) * Q(1000) + Q(432));  // beyond 64 bits
   for (int k = 1; k < 63; ++k) EXPECT_EQ(binomial<Q>(63, k) * Q(k), binomial<Q>(62, k - 1) * Q(63)) << k;
 }
 

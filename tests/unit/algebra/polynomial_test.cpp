@@ -157,6 +157,16 @@ TEST(Polynomial, TimesZeroIsTheZeroPolynomial) {
   EXPECT_TRUE(poly({1, 2}).scale(Q(3)) == poly({3, 6}));
 }
 
+TEST(Polynomial, CommonDivisorOfAList) {
+  const Poly x = poly({0, 1});
+  const Poly y = poly({-1, 1});
+  const Poly z = poly({-2, 1});
+  EXPECT_TRUE(common_divisor(std::vector<Poly>{x * y, x * z, x}) == x);
+  EXPECT_TRUE(common_divisor(std::vector<Poly>{x, y, x}) == poly({1}));
+  EXPECT_TRUE(common_divisor(std::vector<Poly>{Poly(), x * y, poly({0, -3, 3})}) == x * y);
+  EXPECT_TRUE(common_divisor(std::vector<Poly>{}).zero());
+}
+
 TEST(PolynomialFraction, IsReducedWithMonicDenominator) {
   const Ratio x(poly({-2, 0, 2}), poly({3, -3}));  // 2 (t-1)(t+1) / -3 (t-1)
   EXPECT_TRUE(x.denominator() == poly({1}));
