@@ -77,10 +77,12 @@ std::optional<ConstantPatch<S>> constant_patch(const PieceFunctions<S>& f, const
   if (edge.degree < 2) return std::nullopt;
   const S length = f.end - f.begin;
   const std::vector<Vec<S, 4>> r = bezier_rows(edge.row, edge.degree, f.begin, f.end);
+  const auto at_infinity = [](const Vec<S, 4>& y) { return definitely(is_zero(y[0])); };
+  const auto both_are = [&](const Vec<S, 4>& x, const Vec<S, 4>& y) { return at_infinity(x) && at_infinity(y); };
+  if (std::ranges::adjacent_find(r, both_are) != r.end()) return std::nullopt;
   const auto boundary = [&](const S& x) -> std::optional<std::vector<Vec<S, 4>>> {
     std::vector<Vec<S, 4>> rows = edge_patch<S>(r, (x - f.begin) / length);
-    const bool finite = std::ranges::none_of(rows, [](const Vec<S, 4>& y) { return definitely(is_zero(y[0])); });
-    return finite ? std::optional(std::move(rows)) : std::nullopt;
+    return std::ranges::none_of(rows, at_infinity) ? std::optional(std::move(rows)) : std::nullopt;
   };
   if (f.constant() && edge.degree == f.degree + 1 && *f.sigma()->constant_value() == from_int<S>(1)) {
     const S lambda = *f.lambda()->constant_value();
@@ -89,20 +91,22 @@ std::optional<ConstantPatch<S>> constant_patch(const PieceFunctions<S>& f, const
     std::optional<std::vector<Vec<S, 4>>> q = boundary(lambda);
     if (p && q) return detail::unit_weight(ConstantPatch<S>{lambda, m, *std::move(p), *std::move(q)});
   }
-  std::optional<ConstantPatch<S>> patch;
+  // A weight (1-s) w_i + s w_{i+1} with s = (x - begin)/h that is not always zero is so for one x at most.
   S x = f.begin;
-  for (int tries = 0; tries <= 2 * edge.degree + 2; ++tries) {
-    x -= length;
-    std::optional<std::vector<Vec<S, 4>>> rows = boundary(x);
-    if (!rows) continue;
-    if (patch) {
-      patch->lambda = x;
-      patch->q = *std::move(rows);
-      return detail::unit_weight(*std::move(patch));
+  const auto next_boundary = [&] {
+    std::optional<std::vector<Vec<S, 4>>> rows;
+    while (!rows) {
+      x -= length;
+      rows = boundary(x);
     }
-    patch = ConstantPatch<S>{x, x, *std::move(rows), {}};
-  }
-  return std::nullopt;
+    return *std::move(rows);
+  };
+  ConstantPatch<S> patch;
+  patch.p = next_boundary();
+  patch.m = x;
+  patch.q = next_boundary();
+  patch.lambda = x;
+  return detail::unit_weight(std::move(patch));
 }
 
 }  // namespace torse

@@ -157,6 +157,59 @@ TEST(PieceEdge, OfTangentsIsTheirCurve) {
   expect_patch(f, *patch);
 }
 
+/// The piece between a curve of degree 3 over an interval, its own edge, and the points c + c' on its tangents.
+PieceFunctions<Q> tangents_of(const Rows& c, const Q& begin = Q(0), const Q& end = Q(1)) {
+  Rows d = c;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const int left = static_cast<int>(i);  // of c' as a row of degree 3, the mean of its neighbours by these weights
+    if (i > 0) add_scaled(d[i], Q(left), difference(c[i], c[i - 1]));
+    if (i < 3) add_scaled(d[i], Q(3 - left), difference(c[i + 1], c[i]));
+  }
+  return recover_piece<Q>(bezier_knots<Q>(3, begin, end), c, d, 1);
+}
+
+/// With x = -k a weight of the patch is (1 + k) w_i - k w_{i+1}: for weights 1, 2, 3, 4 one of them is zero for
+/// k = 1, 2 and 3 each.
+TEST(PieceEdge, PatchesBeginWhereNoWeightVanishes) {
+  const Rows c{row(1, 0, 0, 0), row(2, 1, 0, 0), row(3, 0, 1, 0), row(4, 0, 0, 1)};
+  for (const auto& [begin, end] : {std::pair{0, 1}, {1, 3}}) {
+    const auto f = tangents_of(c, Q(begin), Q(end));
+    const auto edge = edge_of(f);
+    ASSERT_EQ(edge->degree, 3);
+    const auto patch = constant_patch(f, *edge);
+    ASSERT_TRUE(patch.has_value());
+    EXPECT_EQ(patch->m, Q(begin - 4 * (end - begin)));
+    EXPECT_EQ(patch->lambda, Q(begin - 5 * (end - begin)));
+    expect_patch(f, *patch);
+  }
+}
+
+/// Two neighbouring points of the edge's polygon at infinity: so is one of every patch.
+TEST(PieceEdge, NoPatchWhereAWeightAlwaysVanishes) {
+  const auto f = tangents_of({row(1, 0, 0, 0), row(0, 1, 0, 0), row(0, 0, 1, 0), row(1, 0, 0, 1)});
+  const auto edge = edge_of(f);
+  ASSERT_EQ(edge->degree, 3);
+  EXPECT_FALSE(constant_patch(f, *edge).has_value());
+}
+
+/// Edges as they are given: of degree 2 there is a patch of degree 1, also with one point of the polygon at infinity;
+/// of degree 1 there is none.
+TEST(PieceEdge, PatchesOfGivenEdges) {
+  const auto f = tangents_of({row(1, 0, 0, 0), row(1, 1, 0, 0), row(1, 0, 1, 0), row(1, 0, 0, 1)});
+  const Polynomial<Q> t(std::vector<Q>{Q(0), Q(1)});
+  const auto patch_of = [&](const Polynomial<Q>& weight, const Polynomial<Q>& y, int degree) {
+    return constant_patch(f, EdgeOfRegression<Q>{{weight, t, y, Polynomial<Q>()}, degree, std::nullopt});
+  };
+  for (const Polynomial<Q>& weight : {Polynomial<Q>(1), Polynomial<Q>(std::vector<Q>{Q(1), Q(-2), Q(2)})}) {
+    const auto patch = patch_of(weight, t * t, 2);
+    ASSERT_TRUE(patch.has_value());
+    EXPECT_EQ(patch->p.size(), 2U);
+    EXPECT_EQ(patch->m, Q(-1));
+    EXPECT_EQ(patch->lambda, Q(-2));
+  }
+  EXPECT_FALSE(patch_of(Polynomial<Q>(1), Polynomial<Q>(), 1).has_value());
+}
+
 TEST(PieceEdge, ThereIsNoneWithoutASurface) {
   EXPECT_FALSE(edge_of(recover_piece<Q>(bezier_knots<Q>(3), cubic_row(), cubic_row(), 1)).has_value());
 }
