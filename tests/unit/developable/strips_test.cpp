@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "torse/developable/mesh.hpp"
 
@@ -92,6 +96,51 @@ TEST(CutStrips, NormalsAtBothEndsOfBothRails) {
       EXPECT_NEAR(mesh.normals[corner.normal][0], 2 * x / std::sqrt(1 + 4 * x * x), 1e-15);
     }
   }
+}
+
+/// The parabola (0, 0), (1, 1), (2, 0) and the same 1 higher, by weights 1, r, r^2: it runs through its parameter in
+/// the last r of [0, 1], and all before is near its begin. For r = 2^-30 that takes some 30 halvings, of the right half
+/// every time.
+std::vector<MeshStrip> late_parabola(int exponent, bool backwards = false) {
+  const double r = std::ldexp(1, exponent);
+  const auto rail = [&](double z) {
+    ArcRow rows;
+    for (const auto& [w, x, y] : {std::array{1.0, 0.0, 0.0}, {r, 1.0, 1.0}, {r * r, 2.0, 0.0}}) {
+      rows.push_back({Interval::point(w), Interval::point(w * x), Interval::point(w * y), Interval::point(w * z)});
+    }
+    if (backwards) std::ranges::reverse(rows);
+    return rows;
+  };
+  const RuledPiece piece{rail(0),
+                         rail(1),
+                         {point(backwards ? 2 : 0, 0, 0), point(backwards ? 0 : 2, 0, 0)},
+                         {point(backwards ? 2 : 0, 0, 1), point(backwards ? 0 : 2, 0, 1)}};
+  return cut_strips({{piece}, 0}, 0.01, MeshPrecision::double_float);
+}
+
+/// Each strip begins where the one before ended, up to the end, and the corners are on y = x - x^2 / 2.
+TEST(CutStrips, GoFromEndToEndHoweverFastTheRails) {
+  for (const auto& [exponent, backwards] : {std::pair{0, false}, {-30, false}, {-30, true}}) {
+    SCOPED_TRACE(exponent);
+    const std::vector<MeshStrip> strips = late_parabola(exponent, backwards);
+    double end = 0;
+    for (const MeshStrip& strip : strips) {
+      EXPECT_EQ(strip.from, end);
+      end = strip.to;
+      EXPECT_LT(strip.from, end);
+      EXPECT_TRUE(exponent != 0 || strip.c[1][0] == 2 * end);
+      for (const MeshVector& x : strip.c) EXPECT_NEAR(x[1], x[0] - x[0] * x[0] / 2, 1e-9);
+    }
+    EXPECT_EQ(end, 1);
+    EXPECT_EQ(strips.back().c[1], (MeshVector{backwards ? 0.0 : 2.0, 0, 0}));
+    EXPECT_LT(strips.size(), 60U);
+  }
+}
+
+/// Parameters have 48 bits, which do not part what happens within 2^-60.
+TEST(CutStrips, DoNotEndWithoutAnEnd) {
+  EXPECT_THROW(late_parabola(-60), InvalidInput);
+  EXPECT_THROW(late_parabola(-60, true), InvalidInput);
 }
 
 }  // namespace

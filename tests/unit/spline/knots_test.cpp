@@ -69,6 +69,9 @@ TEST(KnotList, RejectsBadListsAndNamesThePlace) {
   EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 3, {Q(0), Q(1)}); }), "knots");
   EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 2, {Q(5), Q(0), Q(1), Q(2), Q(3), Q(4)}); }), "knots[1]");
   EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 2, {Q(0), Q(0), Q(1), Q(2), Q(3), Q(1)}); }), "knots[5]");
+  // Out of order with its neighbour, though not with the next one.
+  EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 2, {Q(1), Q(0), Q(2), Q(3), Q(4), Q(5)}); }), "knots[1]");
+  EXPECT_EQ(place_of([] { return KnotList<Q>::from_list(2, 2, {Q(0), Q(0), Q(1), Q(2), Q(4), Q(3)}); }), "knots[5]");
   EXPECT_EQ(place_of([] { return knots(2, {0, 0, 1, 1}); }), "");
 }
 
