@@ -37,25 +37,21 @@ struct Edge {
   double top() const { return -lower_sum(-std::max(a.y, b.y), -slack); }
 };
 
-/// The square of the distance between a point and an edge.
+/// The square of the distance between a point and an edge, or less: that from the edge's line, where the point is
+/// beside the edge or rounding hides that it is not.
 Interval distance2(const PlatePoint& p, const Edge& e) {
   const Vector along = from_to(e.a, e.b);
   const Vector to = from_to(e.a, p);
+  const Vector back = from_to(e.b, p);
   const Interval length2 = inner(along, along);
   const Interval foot = inner(along, to);
   const Interval at_a = inner(to, to);
-  const Vector back = from_to(e.b, p);
   const Interval at_b = inner(back, back);
-  const auto hull = [](const Interval& x, const Interval& y) {
-    return Interval::hull(std::min(x.lower(), y.lower()), std::max(x.upper(), y.upper()));
-  };
   if (foot.upper() <= 0) return at_a;
   if (foot.lower() >= length2.upper()) return at_b;
+  if (length2.contains(0)) return at_a.lower() < at_b.lower() ? at_a : at_b;
   const Interval area = product(along, to);
-  if (length2.contains(0)) return hull(at_a, at_b);
-  const Interval beside = area * area / length2;
-  if (foot.lower() > 0 && foot.upper() < length2.lower()) return beside;
-  return hull(beside, foot.lower() > 0 ? at_b : at_a);
+  return area * area / length2;
 }
 
 /// Which side of an edge a point is on: yes for left, no for right.

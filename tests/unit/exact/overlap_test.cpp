@@ -85,6 +85,17 @@ TEST(Overlap, ATouchIsNotDecided) {
   EXPECT_EQ(find_overlap(outline(notch, 1e-3), {}).verdict, Truth::unknown);
 }
 
+/// A tip over the middle of an edge of this length: half the edge away from its ends, whatever it is from the edge.
+TEST(Overlap, ATipOverTheMiddleOfAnEdgeIsNear) {
+  for (const double length : {0.5, 1.0, 2.0}) {
+    const auto verdict = [&](double height) {
+      return find_overlap(outline({{0, 0}, {length, 0}, {length, 2}, {length / 2, height}, {0, 2}}, 0.01), {}).verdict;
+    };
+    EXPECT_EQ(verdict(0.015), Truth::unknown) << length;
+    EXPECT_EQ(verdict(0.03), Truth::no) << length;
+  }
+}
+
 /// Two uprights with a gap between them that is smaller than both errors together and larger than either.
 TEST(Overlap, BothEdgesMayBeOff) {
   constexpr double gap = 1.5e-3;
@@ -97,10 +108,13 @@ TEST(Overlap, BothEdgesMayBeOff) {
 /// A corner beyond the end of an edge, almost in line with it, whose own edge goes back above it.
 TEST(Overlap, ACornerBeyondAnEdgeIsApart) {
   const std::vector<PlatePoint> hook{{0, 0}, {4, 0}, {4, -1}, {6, -1}, {6, 0.05}, {4.6, 0.05}, {2, 3}, {0, 3}};
-  EXPECT_EQ(find_overlap(outline(hook, 0.05), {}).verdict, Truth::no);
-  std::vector<PlatePoint> reversed;
-  for (const PlatePoint& x : hook) reversed.push_back({-x.x, x.y});
-  EXPECT_EQ(find_overlap(outline(reversed, 0.05), {}).verdict, Truth::no);
+  for (const double scale : {1.0, 0.125, -1.0, -0.125}) {
+    std::vector<PlatePoint> scaled;
+    for (const PlatePoint& x : hook) scaled.push_back({scale * x.x, std::abs(scale) * x.y});
+    EXPECT_EQ(find_overlap(outline(scaled, 0.05 * std::abs(scale)), {}).verdict, Truth::no) << scale;
+    std::ranges::reverse(scaled);
+    EXPECT_EQ(find_overlap(outline(scaled, 0.05 * std::abs(scale)), {}).verdict, Truth::no) << scale;
+  }
 }
 
 /// Small integers: crossings by signs of integers.
