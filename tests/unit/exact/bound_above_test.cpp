@@ -15,15 +15,16 @@ struct Slope {
   double from = 0;
   double to = 1;
   int* splits = nullptr;
+  double share = 1;  ///< of what the numbers themselves say in the maximum, the rest being their errors
 
   double greatest() const { return rising ? to : 1 - from; }
-  QuotientBound upper() const { return {greatest() + (to - from), greatest()}; }
+  QuotientBound upper() const { return {greatest() + (to - from), share * greatest()}; }
   double lower_at_begin() const { return rising ? from : 1 - from; }
   double lower_at_end() const { return rising ? to : 1 - to; }
   std::pair<Slope, Slope> split() const {
     ++*splits;
     const double middle = (from + to) / 2;
-    return {{rising, from, middle, splits}, {rising, middle, to, splits}};
+    return {{rising, from, middle, splits, share}, {rising, middle, to, splits, share}};
   }
 };
 
@@ -46,6 +47,13 @@ TEST(BoundAbove, EndsAtTheThresholdAndWithTheBudget) {
     EXPECT_EQ(splits, 5);
     EXPECT_EQ(bound_above(std::vector<Slope>{}, 0, 3), 0);
   }
+}
+
+/// A bound that is more than twice what the numbers say is the errors', which halves have too.
+TEST(BoundAbove, EndsWhereErrorsAreAllThatIsLeft) {
+  int splits = 0;
+  EXPECT_EQ(bound_above(std::vector<Slope>{{true, 0, 1, &splits, 0.75}}, 0, 1000), 2);
+  EXPECT_EQ(splits, 0);
 }
 
 }  // namespace
