@@ -5,7 +5,7 @@
   index.md             the same for readers
   ../coq_theorems.hpp  the ids and names for the ledger
 
-usage: check.py [--write]     with --write the three files are rewritten instead
+usage: check.py [--build | --write]     with --build the theory is built and nothing else, with --write the three files are rewritten instead
 """
 import json
 import os
@@ -132,24 +132,30 @@ def compile_theory():
     run(["make", "-s", "-f", "Makefile.coq", "-j", str(os.cpu_count())], 1800)
 
 
-def check_files(files):
-    """Has coqchk look at compiled files; those that they import are taken as they are."""
-    run(["coqchk", "-silent", "-R", ".", library, *(word for file in files for word in ("-norec", f"{library}.{file[:-2]}"))], 900)
+def check_files():
+    """Has coqchk look at the compiled files; those of other libraries are taken as they are."""
+    run(["coqchk", "-silent", "-R", ".", library, *(word for file in sources() for word in ("-norec", f"{library}.{file[:-2]}"))], 900)
+
+
+def together(name, theorems):
+    """A term that rests on what any of these theorems rests on."""
+    return f"Definition {name} := {' '.join(f'let _ := @{theorem} in' for theorem in theorems)} tt."
 
 
 def printed(found, definitions):
     """What Coq says of each theorem, (statement, axioms), and of each definition. Print Assumptions takes about a second for each term, as it
-    walks through the whole library, so the theorems that may rest on nothing are asked about in one term."""
+    walks through the whole library, so it is asked about two: the theorems that may rest on nothing, and the others, which all get the axioms of
+    any of them."""
     names = [entry["name"] for entry in found]
     free = [entry["name"] for entry in found if not may_rest_on_axioms(entry)]
     others = [entry["name"] for entry in found if may_rest_on_axioms(entry)]
+    modules = [file[:-2] for file in sources()]
     script = ["From mathcomp Require Import all_ssreflect all_algebra."]
-    script += [f"From {library} Require {file[:-2]}." for file in sources()]
-    script += [f"From {library} Require Import {' '.join(file[:-2] for file in sources())}."]
-    script += ["Set Printing Width 110.", "Definition torse_next := tt."]
-    script += [f"Definition torse_free := {' '.join(f'let _ := @{name} in' for name in free)} tt."]
+    script += [f"From {library} Require {' '.join(modules)}."]
+    script += [f"From {library} Require Import {' '.join(modules)}."]
+    script += ["Set Printing Width 110.", "Definition torse_next := tt.", together("torse_free", free), together("torse_others", others)]
     questions = [f"Check {name}." for name in names] + [f"Print {name}." for name in definitions]
-    questions += [f"Print Assumptions {name}." for name in ["torse_free", *others]]
+    questions += ["Print Assumptions torse_free.", "Print Assumptions torse_others."]
     for question in questions:
         script += ["Print torse_next.", question]
     (build / "Listing.v").write_text("\n".join([*script, "Print torse_next."]) + "\n")
@@ -157,11 +163,11 @@ def printed(found, definitions):
     answers = [block.strip() for block in re.split(r"torse_next = tt\s+: unit\n", text)[1:-1]]
     if len(answers) != len(questions):
         fail(f"{text[-3000:]}\nListing.v: {len(answers)} answers for {len(questions)} questions")
-    assumed = answers[len(names) + len(definitions):]
-    if assumed[0] != closed:
-        fail(f"a theorem that may rest on no axiom does:\n{assumed[0]}")
-    axioms = {name: [] if text == closed else re.findall(r"^(?!Axioms:)([\w.]+)\s*:", text, re.M) for name, text in zip(others, assumed[1:])}
-    facts = [(answer.split(":", 1)[1].strip(), axioms.get(name, [])) for name, answer in zip(names, answers)]
+    of_free, of_others = answers[-2:]
+    if of_free != closed:
+        fail(f"a theorem that may rest on no axiom does:\n{of_free}")
+    axioms = [] if of_others == closed else re.findall(r"^(?!Axioms:)([\w.]+)\s*:", of_others, re.M)
+    facts = [(answer.split(":", 1)[1].strip(), axioms if name in others else []) for name, answer in zip(names, answers)]
     return facts, dict(zip(definitions, answers[len(names):]))
 
 
@@ -189,7 +195,7 @@ def index(found):
         lines += [f"### {identifier}", ""]
         for entry in (entry for entry in found if entry["id"] == identifier):
             text, more = parts(entry["text"])
-            axioms = "" if not entry["axioms"] else " It rests on " + ", ".join(f"`{axiom}`" for axiom in entry["axioms"]) + "."
+            axioms = "" if not entry["axioms"] else " It rests on no axioms but " + ", ".join(f"`{axiom}`" for axiom in entry["axioms"]) + "."
             lines += [f"**{entry['word'].replace('_', ' ')}** ([{entry['file']}]({entry['file']})): {text}{axioms}"]
             lines += [f"\n*{title_of_part[part]}*: {words}" for part, words in more.items()]
             whole = f"Theorem {entry['name']} : {entry['printed']}." if entry["under_hypotheses"] else entry["statement"]
@@ -212,10 +218,12 @@ def header(found):
 def main():
     found = theorems()
     compile_theory()
+    if "--build" in sys.argv[1:]:
+        return
     with ThreadPoolExecutor() as pool:
-        parts_checked = pool.map(check_files, [sources()[part::os.cpu_count()] for part in range(os.cpu_count())])
+        checked = pool.submit(check_files)
         facts, defined = printed(found, sorted(set(definitions())))
-        list(parts_checked)
+        checked.result()
     for entry, (statement, axioms) in zip(found, facts):
         entry["printed"], entry["axioms"] = statement, axioms
     golden = {"theorems": [{key: entry[source] for key, source in (("id", "id"), ("name", "name"), ("file", "file"), ("statement", "printed"), ("axioms", "axioms"))}
