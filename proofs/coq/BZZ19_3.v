@@ -4,13 +4,9 @@
      slope n u b i    (b_{i+1} - b_i) / (u_{i+n} - u_i): n times these are the coefficients of sigma'
      within n u t     t lies on the piece: u_i <= t for i < n, t <= u_j for n <= j < 2n
      after d sigma    the curve d(sigma(t)), coordinate by coordinate *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Dependence.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Dependence.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Derivative.
 Variable F : fieldType.

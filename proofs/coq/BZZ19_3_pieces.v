@@ -2,13 +2,9 @@
    Definitions:
      mapping n u b j      sigma on piece j: the curve of degree n of b_j, ..., b_{j+n} over the knots without their first j members
      on_piece n u j t     piece j, from u_{j+n-1} to u_{j+n}, is not empty and t lies on it, n >= 1 *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Joints BZZ19_3 BZZ19_3_range.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Joints BZZ19_3 BZZ19_3_range.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Joints.
 Variable F : fieldType.

@@ -3,13 +3,9 @@
      basis n u i       the B-spline function B_i on the piece: the curve of the points 0, ..., 1, ..., 0
      greville n u i    u_i + ... + u_{i+n-1}, n times the Greville abscissa
      inside n u t      t lies on the piece and is none of its ends *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves FJ07_2 BZZ19_3.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves FJ07_2 BZZ19_3.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Basis.
 Variable F : fieldType.

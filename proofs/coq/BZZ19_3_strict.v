@@ -1,11 +1,7 @@
 (* BZZ19, section 3.2: where the mapping increases strictly over all pieces of its knots. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves BZZ19_3 BZZ19_3_range BZZ19_3_pieces.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves BZZ19_3 BZZ19_3_range BZZ19_3_pieces.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Monotone.
 Variable F : realFieldType.

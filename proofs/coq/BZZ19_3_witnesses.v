@@ -3,13 +3,9 @@
      crossing_x, crossing_y   the plane cubic (tau^2 - 1, tau^3 - tau), tau = 3 t - 3/2, which passes through 0 at t = 1/6 and t = 5/6
      crossing h               the curve (crossing_x, crossing_y, (tau + 1)/4 + h) of space
      cubic                    the curve (tau, tau^2, tau^3), tau = 2 + t *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points BZZ19_3 BZZ19_4_pieces FJ21_4 Needs_FJ07_curves.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points BZZ19_3 BZZ19_4_pieces FJ21_4 Needs_FJ07_curves.
+From mathcomp Require Import order ssrnum.
+Import Num.Theory.
 
 Section Witnesses.
 Variable F : numFieldType.

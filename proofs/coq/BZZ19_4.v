@@ -1,13 +1,7 @@
 (* BZZ19, section 4: the pieces of the B-spline surface, Algorithm 1.
    Definitions:
      in_bernstein n p i    the sum over k of C(i,k)/C(n,k) times the coefficient k of p: the Bernstein coefficients of p *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier.
 
 Section Polynomials.
 Variable F : fieldType.

@@ -4,13 +4,7 @@
      stretched s a b       the mapping of a piece, (s(a + (b-a) X) - s(a)) / (s(b) - s(a)), equation (13)
      joined D x i          the knots x_0, ..., x_0, x_1, ..., x_1, ..., each D times
      ruled_surface c d sigma s t   the point (1-s) c(t) + s d(sigma(t)) of equation (10) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Segments BZZ19_3 FJ21_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Segments BZZ19_3 FJ21_4.
 
 Section Pieces.
 Variable F : fieldType.

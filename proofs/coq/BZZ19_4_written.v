@@ -5,13 +5,7 @@
      scaled A B w               the coefficients (w_i - A) / (B - A)
      composed p d c w           the Bezier points of degree p d of the curve of degree p of the points c after that of degree d of the coefficients w
      holds D N R P              the row R has the nets of N pieces of degree D one after the other: R_{jD+i} = P^j_i *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Segments FJ21_4 BZZ19_3 BZZ19_4 BZZ19_4_pieces.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Segments FJ21_4 BZZ19_3 BZZ19_4 BZZ19_4_pieces.
 
 Section Nets.
 Variables (F : fieldType) (m : nat).

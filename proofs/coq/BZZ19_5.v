@@ -4,13 +4,9 @@
      objective l1 l2 K x a b w   l1 times the sum of the E2 plus l2 times that of the (|x_i|^2 - 1)^2, i < K, equation (9)
      length_ x           |x|
      warp_sin a b w, warp_cos a b w   the angle between the normals a x w and b x w at the ends of a ruling w *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points Dependence BZZ19_3.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points Dependence BZZ19_3.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Warp.
 Variable R : comUnitRingType.

@@ -4,12 +4,7 @@
      bez n c        the sum of c_i B n i, i = 0..n
      prev c i       c_{i-1}, anything for i = 0, where it is always multiplied by 0
      elevated n c   the points i c_{i-1} + (n+1-i) c_i, (n+1) times those of degree n+1 *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude.
 
 Definition prev (T : Type) (c : nat -> T) i := c i.-1.
 

@@ -2,15 +2,8 @@
    Definitions:
      pbez n c       the Bezier curve of degree n with the points c_0, ..., c_n
      independent n  no binomial coefficient C(n, i) vanishes in the field: the Bernstein polynomials of degree n are independent
-     good n         n! does not vanish in the field: its characteristic is 0 or greater than n
-     step01 n       the knots of a Bezier curve: n zeros, then ones *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+     good n         n! does not vanish in the field: its characteristic is 0 or greater than n *)
+From Torse Require Import Prelude Blossom Curves Points Bernstein.
 
 Section Bezier.
 Variables (F : fieldType) (m : nat).
@@ -69,24 +62,14 @@ Section Blossoms.
 Variable F : fieldType.
 Implicit Types (c : nat -> F) (n i : nat).
 
-Definition step01 n i : F := (n <= i)%:R.
-
-Lemma step01_shift n i : shift (step01 n.+1) i = step01 n i.
-Proof. by []. Qed.
-
-Lemma span_step01 n : span n (step01 n).
-Proof.
-move=> i j lt_i /andP[le_j _]; rewrite /step01 le_j leqNgt lt_i /= subr0; exact: unitr1.
-Qed.
-
 (* A Bezier curve is the curve of the blossom over the knots 0, ..., 0, 1, ..., 1. *)
-Theorem bezier_curve n c : curve n (step01 n) c = bez n c.
+Theorem bezier_curve n c : curve n (step01 F n) c = bez n c.
 Proof.
-suff gen (g : nat -> {poly F}) : blossom (polys (step01 n)) g (nseq n (at_ 'X)) = \sum_(0 <= i < n.+1) g i * B F n i by exact: gen.
+suff gen (g : nat -> {poly F}) : blossom (polys (step01 F n)) g (nseq n (at_ 'X)) = \sum_(0 <= i < n.+1) g i * B F n i by exact: gen.
 elim: n g => [|n ih] g; first by rewrite big_nat1 /B /= bin0 expr0 subnn !mulr1.
-rewrite casteljau -ih /= size_nseq (@blossom_ext_knots _ _ (polys (step01 n))) //.
-apply: blossom_ext => i; rewrite size_nseq /step => le_i; have -> : polys (step01 n.+1) (i + n.+1)%N = 1 by rewrite /polys /step01 leq_addl.
-have -> : polys (step01 n.+1) i = 0 by rewrite /polys /step01 leqNgt ltnS le_i.
+rewrite casteljau -ih /= size_nseq (@blossom_ext_knots _ _ (polys (step01 F n))) //.
+apply: blossom_ext => i; rewrite size_nseq /step => le_i; have -> : polys (step01 F n.+1) (i + n.+1)%N = 1 by rewrite /polys /step01 leq_addl.
+have -> : polys (step01 F n.+1) i = 0 by rewrite /polys /step01 leqNgt ltnS le_i.
 by rewrite /at_ /= !mul1r !subr0 divr1.
 Qed.
 

@@ -9,12 +9,7 @@
      span n u        the knots u_0, ..., u_{2n-1} carry a piece: no denominator of any step vanishes
      knots u i n     the arguments u_i, ..., u_{i+n-1}
      polar n f       f is symmetric and linear in each of its n arguments *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude.
 
 Definition shift (T : Type) (u : nat -> T) i := u i.+1.
 

@@ -2,14 +2,9 @@
    Definitions:
      drop_ k u         the list u without its first k members: piece k+1 of a spline has the knots drop_ k u
      curve n u c       the polynomial c[X, ..., X], one coordinate; velocity n u c is c[1-direction, X, ..., X], so c' = n velocity
-     polys u           the list u as constant polynomials *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+     polys u           the list u as constant polynomials
+     step01 n          the knots of a Bezier curve: n zeros, then ones *)
+From Torse Require Import Prelude Blossom.
 
 Definition drop_ (T : Type) k (u : nat -> T) i := u (k + i)%N.
 
@@ -34,8 +29,12 @@ Variable F : fieldType.
 Implicit Types (u c : nat -> F) (n k : nat).
 
 Definition polys u : nat -> {poly F} := fun i => (u i)%:P.
+Definition step01 n i : F := (n <= i)%:R.
 Definition curve n u c := blossom (polys u) (polys c) (nseq n (at_ 'X)).
 Definition velocity n u c := blossom (polys u) (polys c) (direction _ :: nseq n.-1 (at_ 'X)).
+
+Lemma span_step01 n : span n (step01 n).
+Proof. by move=> i j lt_i /andP[le_j _]; rewrite /step01 le_j leqNgt lt_i subr0 unitr1. Qed.
 
 Lemma span_polys n u : span n u -> span n (polys u).
 Proof. by move=> sp; apply: (span_morph [rmorphism of polyC] sp). Qed.

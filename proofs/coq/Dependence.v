@@ -2,13 +2,7 @@
    Definitions:
      rows x y z       the matrix with these rows
      dependent x y z  a x + b y + c z = 0 for some a, b, c that are not all zero *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points.
 
 Section Determinants.
 Variable R : comRingType.

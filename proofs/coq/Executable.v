@@ -11,12 +11,7 @@
      product, total, total_of   a product, a sum, a sum of points over i = a, ..., b - 1
      of_nat k         1 + ... + 1
      sequence next i x k   x_i = x, x_{i+1} = next i x_i, ...: k members *)
-From mathcomp Require Import all_ssreflect all_algebra.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude.
 
 Record scalars T := Scalars {
   zero : T; one : T; sadd : T -> T -> T; ssub : T -> T -> T; smul : T -> T -> T; sinv : T -> T; same : T -> T -> bool; less : T -> T -> bool}.

@@ -8,13 +8,7 @@
      unelevated_program, elevated_program n t L M s a b a' b'   5.3 as printed and its inverse
      edge_program n t L M s        section 6: v, alpha, beta
      rational_program n u c L M s d   7.1 over the knots u, from the first row d *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points FJ07_3_net FJ21_4 FJ21_5 FJ21_6 Executable Executable_knots Executable_net.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points FJ07_3_net FJ21_4 FJ21_5 FJ21_6 Executable Executable_knots Executable_net.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

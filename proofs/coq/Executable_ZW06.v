@@ -8,13 +8,7 @@
      mean_chord_program c        18
      affine_net_program c x s d  20: d_{i+1} = c_i + x (c_{i+1} - c_i) + s (d_i - c_i) from d_0 = d
      ruling c r i                r_i - c_i *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier ZW06 Executable.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier ZW06 Executable.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

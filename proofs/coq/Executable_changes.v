@@ -5,13 +5,7 @@
      moebius_rows b c              the rows b^(n-i) c_i of 5.2
      moebius_functions_program L M s b   5.2
      unshortened_program, shortened_program n t L M s a b a' b'   5.4 as printed and its inverse *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Points FJ07_3_blossoms FJ21_3_theorem FJ21_4 FJ21_5 FJ21_5_changes Executable Executable_FJ21.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_blossoms FJ21_3_theorem FJ21_4 FJ21_5 FJ21_5_changes Executable Executable_FJ21.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).
@@ -81,8 +75,8 @@ Proof. by move=> e; apply/rowP=> k; rewrite !mxE; apply: blossom_ext => i /e; re
 (** FJ21.5.1 program: the rows of the program are those of $\tilde p(u)=((1-b)u+b)^n\,p(t(u))$, and its $t(u)$ is the parameter, wherever it gives one.
     Hypotheses: there are rows. *)
 Theorem FJ21_5_1_program b c x y (n := (size c).-1) : (0 < size c)%N -> moebius_program K b x = Value [:: y] ->
-  pblossom (bez F n) (at_list (moebius_rows K V b c)) (nseq n (at_ x))
-    = ((1 - b) * x + b) ^+ n *: pblossom (bez F n) (at_list c) (nseq n (at_ y)).
+  pblossom (step01 F n) (at_list (moebius_rows K V b c)) (nseq n (at_ x))
+    = ((1 - b) * x + b) ^+ n *: pblossom (step01 F n) (at_list c) (nseq n (at_ y)).
 Proof.
 move=> c0; rewrite /moebius_program /nonzero /= /given; case: ifP => // e0 [<-]; rewrite -FJ21_5_1_curve //.
 by apply: pblossom_ext => i; rewrite size_nseq => le_i; rewrite moebius_rowsE // -(prednK c0) ltnS.
@@ -94,14 +88,14 @@ Qed.
     Hypotheses: $b\ne0$; both lists have $n+1$ rows. *)
 Theorem FJ21_5_2_program n b c d x y L M s L' M' s' : b != 0 -> size c = n.+2 -> size d = n.+2 ->
   moebius_program K b x = Value [:: y] -> moebius_functions_program K L M s b = Value [:: L'; M'; s'] ->
-  pblossom (bez F n.+1) (at_list (moebius_rows K V b c)) (at_ L' :: nseq n (at_ x))
-    = s' *: pblossom (bez F n.+1) (at_list (moebius_rows K V b d)) (at_ M' :: nseq n (at_ x)) <->
-  pblossom (bez F n.+1) (at_list c) (at_ L :: nseq n (at_ y)) = s *: pblossom (bez F n.+1) (at_list d) (at_ M :: nseq n (at_ y)).
+  pblossom (step01 F n.+1) (at_list (moebius_rows K V b c)) (at_ L' :: nseq n (at_ x))
+    = s' *: pblossom (step01 F n.+1) (at_list (moebius_rows K V b d)) (at_ M' :: nseq n (at_ x)) <->
+  pblossom (step01 F n.+1) (at_list c) (at_ L :: nseq n (at_ y)) = s *: pblossom (step01 F n.+1) (at_list d) (at_ M :: nseq n (at_ y)).
 Proof.
 move=> b0 sc sd; rewrite /moebius_program /moebius_functions_program /nonzero /= /given; case: ifP => // x0 [<-].
 case: ifP => // /andP[l0 m0] [<- <- <-]; have := @FJ21_5_2_functions F m n b (at_list c) (at_list d) x L M s b0 x0 l0 m0.
-have e (r : seq 'rV[F]_m) z : size r = n.+2 -> pblossom (bez F n.+1) (at_list (moebius_rows K V b r)) (at_ z :: nseq n (at_ x))
-    = pblossom (bez F n.+1) (moebius n.+1 b (at_list r)) (at_ z :: nseq n (at_ x)).
+have e (r : seq 'rV[F]_m) z : size r = n.+2 -> pblossom (step01 F n.+1) (at_list (moebius_rows K V b r)) (at_ z :: nseq n (at_ x))
+    = pblossom (step01 F n.+1) (moebius n.+1 b (at_list r)) (at_ z :: nseq n (at_ x)).
   by move=> sr; apply: pblossom_ext => i; rewrite /= size_nseq => le_i; rewrite moebius_rowsE sr.
 by rewrite !e.
 Qed.

@@ -8,13 +8,7 @@
      composed_program c e   the Bezier points of c(e(t)), 13
      homogeneous n p        the sum over i = 0..n of p_i X^i (1-X)^(n-i)
      form f                 the polynomial that f stands for *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Executable Executable_knots.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Executable Executable_knots.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

@@ -5,13 +5,7 @@
      determinant_program n u c d k s    n len^2 [d', c', d - c] at the coordinate s of piece k
      refuted n u c d k        condition does not vanish at one of the parameters 0, 1, ..., 3n - 1
      check_program n u c d    the first piece that is not empty and refuted; 0 where there is none *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein FJ21_4 FJ07_2 Executable Executable_knots.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein FJ21_4 FJ07_2 Executable Executable_knots.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q) (x y z : Q -> T).

@@ -3,13 +3,7 @@
      times_program c a b     the rows of (a + b t) c(t), one degree higher
      edge_rows_program p q L M s   the rows of r = ((L - t) p + s (t - M) q) / (L - M)
      patch_program r x       the rows of r + (x - t)/(n+1) r', r of degree n + 1 *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier BZZ19_3 FJ21_4 FJ21_5 FJ21_6_theorem Executable Executable_FJ21.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier BZZ19_3 FJ21_4 FJ21_5 FJ21_6_theorem Executable Executable_FJ21.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

@@ -6,13 +6,9 @@
      carries n u      no denominator of de Boor's algorithm vanishes over the first 2n knots
      deboor u c v     de Boor's algorithm, all points of a row at a time
      blossom_program n u c k v, point_program n u c k t, derivative_program n u c k t   c[v_1, ..., v_n], c(t), c'(t) on piece k = 1, 2, ... *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4 Executable.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ21_4 Executable.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Programs.
 Variables (T P : Type) (K : scalars T) (V : points T P).

@@ -5,13 +5,9 @@
      mapping_value_program n u c t, mapping_slope_program n u c t   c(t) and c'(t) on that piece
      greville_program n u           the coefficients (u_i + ... + u_{i+n-1}) / n
      ordered F                      the operations of an ordered field, with its order *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein FJ21_4 BZZ19_3_range Executable Executable_knots Executable_splines.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein FJ21_4 BZZ19_3_range Executable Executable_knots Executable_splines.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

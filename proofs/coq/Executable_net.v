@@ -5,13 +5,7 @@
      left_side n u c L i     the left side of equation (13)
      products_program n u M a b   P(a, b) and Q(a, b)
      closed14, closed15, closed16_program n u c L M d0 i   d_i by (14), d_i - c_i by (15) and by (16) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points FJ07_3_net Executable Executable_knots.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points FJ07_3_net Executable Executable_knots.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

@@ -8,13 +8,7 @@
      first_cell_program n u L M, next_cell n u l mu i     l, mu of (18) for the first cell, and of cell i = 2, 3, ... from those before
      cell_program n u c l mu d        the row from its first cell and its first vertex d
      restricted_program c r x         c_i + x (r_i - c_i), (17) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points FJ07_3_pieces FJ07_3_net FJ07_3_cells Executable Executable_knots Executable_net.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points FJ07_3_pieces FJ07_3_net FJ07_3_cells Executable Executable_knots Executable_net.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

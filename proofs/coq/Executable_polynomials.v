@@ -6,13 +6,7 @@
      step_polynomial u m c i    a step of de Boor's algorithm at X, on lists of coefficients
      deboor_polynomial u c n    n steps
      polynomial_program n u c k the coefficients of piece k = 1, 2, ... of the spline with the coefficients c *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Bernstein Bezier FJ21_4 BZZ19_4 BZZ19_4_pieces Executable Executable_knots Executable_composition.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Bernstein Bezier FJ21_4 BZZ19_4 BZZ19_4_pieces Executable Executable_knots Executable_composition.
 
 Section Programs.
 Variables (T : Type) (K : scalars T).

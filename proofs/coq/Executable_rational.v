@@ -5,13 +5,7 @@
      determinant4_program n u c d k s   n^4 times it at the coordinate s of piece k
      refuted4 n u c d k       condition4 does not vanish at one of the parameters 0, 1, ..., 4(n-1)
      check4_program n u c d   the first piece that is not empty and refuted; 0 where there is none *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Functions FJ21_2 FJ21_3 FJ21_4 Executable Executable_knots Executable_determinant.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ21_2 FJ21_3 FJ21_4 Executable Executable_knots Executable_determinant.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q) (w x y z : Q -> T).

@@ -3,13 +3,7 @@
      cofactors f g h p q r s       the cofactors of four rows, of the coordinates f, g, h
      dependence_of p q r s         those of the first three coordinates for which they do not all vanish
      functions_program n u c d i   L*, M*, sigma of cell i *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points Functions Executable Executable_knots Executable_FJ21 Executable_changes Executable_determinant Executable_rational.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points Functions Executable Executable_knots Executable_FJ21 Executable_changes Executable_determinant Executable_rational.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q) (w x y z : Q -> T).

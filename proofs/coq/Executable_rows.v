@@ -6,14 +6,8 @@
      rows_program n u c L M d      those of all pieces
      relate n u c L M ks d rows    the rows are those of the pieces ks + 1, from d on: (12) on each with the paper's Lam_k, M_k, and each begins
                                    where the one before ends *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Segments FJ07_3_pieces FJ07_3_segments Executable Executable_knots Executable_net Executable_pieces
+From Torse Require Import Prelude Blossom Curves Points Segments FJ07_3_pieces FJ07_3_segments Executable Executable_knots Executable_net Executable_pieces
   Executable_splines.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

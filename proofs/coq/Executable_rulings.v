@@ -8,14 +8,9 @@
      coordinates_program p v w     alpha, beta of p = alpha v + beta w
      ends_program n u c v w M S    sigma_0, tau_0 of (21)
      interpolation_program n u c v w M S   the row d *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_2 FJ07_2_cones FJ07_3_net FJ07_3_generic FJ07_4 FJ07_4_rulings Executable Executable_knots Executable_net
+From Torse Require Import Prelude Blossom Curves Points FJ07_2 FJ07_2_cones FJ07_3_net FJ07_3_generic FJ07_4 FJ07_4_rulings Executable Executable_knots Executable_net
   Executable_determinant.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From mathcomp Require Import order ssrnum.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q) (x y z : Q -> T).

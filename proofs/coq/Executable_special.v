@@ -5,13 +5,7 @@
      restricted_lambda L M b       FJ07.17: M + b (L - M)
      tangent_point_program n u c k t r   c[t, ..., t, r] on piece k
      last_pair_program n u c k t   c[t, ..., t, a], c[t, ..., t, b] on piece k = [a, b] *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_2 FJ07_2_cones FJ07_3_net FJ21_4 Executable Executable_knots Executable_pieces.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_2 FJ07_2_cones FJ07_3_net FJ21_4 Executable Executable_knots Executable_pieces.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

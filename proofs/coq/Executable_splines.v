@@ -8,13 +8,9 @@
      bezier_program n u c k    those on the piece itself
      steps_program e           the sums of squares of BZZ19.5
      elevation_program c k     the points of the same Bezier curve in degree k higher, one degree at a time *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier BZZ19_4 Executable Executable_knots.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier BZZ19_4 Executable Executable_knots.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).

@@ -2,13 +2,9 @@
    Definitions (n degree, u knots, c and d rows of points, pieces k = 1, 2, ...; x, y, z give the coordinates of a point):
      warp_of a b w                sin^2 of the warp angle of the ruling w between the tangents a and b: |w|^2 [a, w, b]^2 / (|a x w|^2 |b x w|^2)
      warp_program n u c d k t     that at the parameter t of piece k *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4 BZZ19_5 Executable Executable_knots Executable_determinant Executable_rulings.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ21_4 BZZ19_5 Executable Executable_knots Executable_determinant Executable_rulings.
+From mathcomp Require Import order ssrnum.
+Import Num.Theory.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q) (x y z : Q -> T).

@@ -1,13 +1,7 @@
 (* FJ07, section 2: developable surfaces; cylinders.
    Definitions:
      normal a b w v      the normal b_u x b_v at v of the ruling w between curves with velocities a and b *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points.
 
 Section Vectors.
 Variable R : comUnitRingType.

@@ -4,13 +4,7 @@
      ruled C D v            the curve (1 - v) C + v D on the surface, v a number or a function of the parameter
      proportional al c d K  d_{i+1} - d_i = al (c_{i+1} - c_i) for i < K, equation (6)
      vertex al c d          the point (al c_0 - d_0) / (al - 1) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier BZZ19_4 Segments FJ07_2.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier BZZ19_4 Segments FJ07_2.
 
 Section Combinations.
 Variables (F : fieldType) (m : nat).

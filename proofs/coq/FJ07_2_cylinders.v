@@ -2,13 +2,7 @@
    Definitions:
      char0                 no positive integer vanishes in the field
      ends_only v w n i     the rulings v, 0, ..., 0, w of a spline of degree n and two pieces *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Segments FJ07_2 FJ07_2_cones FJ07_3_generic.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Segments FJ07_2 FJ07_2_cones FJ07_3_generic.
 
 Section Direction.
 Variable F : fieldType.

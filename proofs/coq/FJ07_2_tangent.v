@@ -2,13 +2,7 @@
    Definitions:
      tangent_row n c i    c_i + (n-i) c_{i+1} + (2i-n) c_i - i c_{i-1}
      interval a b n       the knots a, ..., a, b, ..., b of a Bezier piece on [a, b] *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Segments FJ07_2.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Segments FJ07_2.
 
 Section Tangent.
 Variables (F : fieldType).

@@ -1,21 +1,13 @@
 (* FJ07, section 3, blossoms: equations (9), (12), (19), Theorem 1 and Corollaries 1 and 2.
    Definitions:
-     related u n L M c d   c[v_1, ..., v_{n-1}, L*] = d[v_1, ..., v_{n-1}, M*] for all arguments v_i, on one piece
-     bez n                 the knots 0, ..., 0, 1, ..., 1 of a Bezier piece *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_pieces FJ07_3_net.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+     related u n L M c d   c[v_1, ..., v_{n-1}, L*] = d[v_1, ..., v_{n-1}, M*] for all arguments v_i, on one piece *)
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_pieces FJ07_3_net.
 
 Section Piece.
 Variables (F : fieldType) (m : nat).
 Implicit Types (u : nat -> F) (c d : nat -> 'rV[F]_m) (L M t : F) (n : nat).
 
 Definition related u n L M c d := forall v, (size v).+1 = n -> pblossom u c (at_ L :: v) = pblossom u d (at_ M :: v).
-Definition bez n i : F := (n <= i)%:R.
 
 Lemma step_cell u n L M c d i : (u (i + n)%N - u i) != 0 ->
   cell u n L M c d i <-> forall k, step u n (at_ L) (coord c k) i = step u n (at_ M) (coord d k) i.
@@ -102,8 +94,8 @@ Qed.
 
 (** FJ07.12 aumann: $(1-\Lambda)C_i+\Lambda C_{i+1}=(1-M)D_i+MD_{i+1}$, $i=0..n-1$, is equation (13) on the knots $0,\dots,0,1,\dots,1$. *)
 Theorem FJ07_12_aumann n L M c d i : (i < n)%N ->
-  cell (bez n) n L M c d i <-> (1 - L) *: c i + L *: c i.+1 = (1 - M) *: d i + M *: d i.+1.
-Proof. by move=> lt_i; rewrite /cell /bez leq_addl leqNgt lt_i subr0 subr0. Qed.
+  cell (step01 F n) n L M c d i <-> (1 - L) *: c i + L *: c i.+1 = (1 - M) *: d i + M *: d i.+1.
+Proof. by move=> lt_i; rewrite /cell /step01 leq_addl leqNgt lt_i subr0 subr0. Qed.
 
 (** FJ07.12 barycentric: equation (12) is $D_{i+1}=(1-\lambda-\mu)C_i+\lambda C_{i+1}+\mu D_i$, $\lambda=\Lambda/M$, $\mu=1-1/M$.
     Hypotheses: $M\ne0$.
@@ -118,16 +110,11 @@ move=> nz; have -> : d i.+1 = (1 - l - mu) *: c i + l *: c i.+1 + mu *: d i <->
 by apply: eq_of_diff; rewrite /l /mu; by_entries k; field.
 Qed.
 
-Lemma bez_span n : span n (bez n).
-Proof.
-by move=> i j lt_i /andP[le_j _]; rewrite /bez le_j leqNgt lt_i subr0 unitr1.
-Qed.
-
 (** FJ07.C1 blossoms: two Bezier curves are related by $c[v_1,\dots,v_{n-1},\Lambda]=d[v_1,\dots,v_{n-1},M]$ iff (12) holds for $i=0..n-1$. *)
-Theorem FJ07_C1_blossoms n L M c d : related (bez n) n L M c d <->
+Theorem FJ07_C1_blossoms n L M c d : related (step01 F n) n L M c d <->
   forall i, (i < n)%N -> (1 - L) *: c i + L *: c i.+1 = (1 - M) *: d i + M *: d i.+1.
 Proof.
-rewrite FJ07_T1_piece; last exact: bez_span.
+rewrite FJ07_T1_piece; last exact: span_step01.
 by split=> cells i lt_i; have := cells i lt_i; rewrite FJ07_12_aumann.
 Qed.
 

@@ -3,13 +3,7 @@
      bary l mu c d i    d_{i+1} = (1 - l - mu) c_i + l c_{i+1} + mu d_i
      D, next_l, next_mu   the denominator and the right sides of (18) for the cell after the one that begins at a = u_{i-2}, with
                         b = u_{i-1}, p = u_{i+n-2}, q = u_{i+n-1} *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points FJ07_3_net.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points FJ07_3_net.
 
 Section Cells.
 Variables (F : fieldType) (m : nat).

@@ -1,11 +1,5 @@
 (* FJ07, section 3: equation (11) in closed form and backwards, and what lam_k = 1 and mu_k = 1 say of L*, M*. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import FJ07_3_pieces.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude FJ07_3_pieces.
 
 Section Classes.
 Variable F : fieldType.

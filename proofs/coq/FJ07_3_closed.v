@@ -4,13 +4,7 @@
                                 (1 - mu) (L* - x), for mu = 1 they are constant; a = u_0, p = u_n in the first cell
      prev_l, prev_mu            the coefficients of the cell before, from those of a cell
      obeys u n l mu K           l_i, mu_i obey (18) up to the cell K, and no denominator vanishes *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4 FJ07_3_net FJ07_3_blossoms FJ07_3_cells FJ07_2_cones FJ07_3_generic FJ07_3_segments.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ21_4 FJ07_3_net FJ07_3_blossoms FJ07_3_cells FJ07_2_cones FJ07_3_generic FJ07_3_segments.
 
 Section Closed.
 Variable F : fieldType.

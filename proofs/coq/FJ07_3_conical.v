@@ -1,11 +1,5 @@
 (* FJ07.19 for the nets that have no Lam* and M*: those with proportional sides. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Segments FJ07_3_pieces FJ07_2_cones FJ07_3_segments.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Segments FJ07_3_pieces FJ07_2_cones FJ07_3_segments.
 
 Section Constant.
 Variable F : fieldType.

@@ -3,13 +3,7 @@
      on_sides w n x r c K   the points c_0, ..., c_K are those of the blossom r[., x] of degree n, for r of degree n + 1 over the knots w:
                             each lies on a side of the polygon r
      last_but_one u n k t e c   c[t, ..., t, e] on piece k, one of the two last but one points of de Boor's algorithm for an end e *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4 FJ07_3_pieces FJ07_3_net FJ07_3_blossoms FJ07_3_segments.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ21_4 FJ07_3_pieces FJ07_3_net FJ07_3_blossoms FJ07_3_segments.
 
 Section Edge.
 Variables (F : fieldType) (m : nat).

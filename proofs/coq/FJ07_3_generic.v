@@ -2,14 +2,8 @@
    parallel has Lam(t) and M(t), rational functions; constants are a special case.
    Definitions:
      tangents_meet e A B C D   e (D - C) = A C' - B D' with polynomials e, A, B: Lam = t + n A/e, M = t + n B/e *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier BZZ19_4 Dependence FJ07_2 FJ07_3_net FJ07_3_blossoms FJ21_4.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier BZZ19_4 Dependence FJ07_2 FJ07_3_net FJ07_3_blossoms FJ21_4.
 From Torse Require Import Segments FJ07_2_cones FJ07_2_tangent.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
 
 Section Spatial.
 Variable R : idomainType.

@@ -2,13 +2,7 @@
    Definitions:
      starts u M a b       (M - u_a) ... (M - u_{b-1})
      finishes u n M a b   (M - u_{a+n}) ... (M - u_{b-1+n}) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Joints Blossom Curves Points FJ07_3_net FJ07_3_blossoms.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Joints Blossom Curves Points FJ07_3_net FJ07_3_blossoms.
 
 Section Products.
 Variables (F : fieldType) (m : nat).

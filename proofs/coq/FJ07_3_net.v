@@ -3,13 +3,7 @@
      cell u n L M c d i   equation (13) of the cell i, for points of any dimension
      net u n L M c d0     the row d of the construction
      P u n M a b, Q u n M i N   the products of (14) to (16) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points.
 
 Section Net.
 Variables (F : fieldType) (m : nat).

@@ -3,12 +3,7 @@
      len u n k        the length u_{n+k-1} - u_{n+k-2} of piece k = 1, 2, ...
      local u n k x    the coordinate (x - u_{n+k-2}) / len of the parameter x in piece k: Lam_k is local of L*, M_k of M*
    Pieces count from 0 here: k stands for the paper's k - 1. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude.
 
 Section Pieces.
 Variable F : fieldType.

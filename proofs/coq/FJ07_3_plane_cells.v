@@ -1,11 +1,5 @@
 (* FJ07, section 3: plane cells alone do not make a surface developable. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier FJ07_3_cells FJ21_4 FJ07_2_cones FJ07_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier FJ07_3_cells FJ21_4 FJ07_2_cones FJ07_4.
 
 Section Quadratic.
 Variable F : fieldType.

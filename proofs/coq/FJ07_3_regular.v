@@ -2,13 +2,9 @@
    Definitions:
      velocity_on c d t v    b_t at (t, v) on the surface (1 - v) c + v d
      same_side x y          x, y < 0 or x, y > 1, as Corollary 3 asks of Lam_k, M_k *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_pieces FJ07_3_net FJ07_3_blossoms FJ21_4 FJ07_3_singular FJ07_3_generic FJ07_3_segments.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.Theory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_pieces FJ07_3_net FJ07_3_blossoms FJ21_4 FJ07_3_singular FJ07_3_generic FJ07_3_segments.
+From mathcomp Require Import order ssrnum.
+Import Order.Theory Num.Theory.
 
 Section Point.
 Variable F : fieldType.

@@ -1,11 +1,5 @@
 (* FJ07, section 3, piece by piece: equation (19), the Bezier nets of the pieces of a spline, and all pieces at once. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Segments FJ07_3_pieces FJ07_3_net FJ07_3_blossoms.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Segments FJ07_3_pieces FJ07_3_net FJ07_3_blossoms.
 
 Section Piece.
 Variables (F : fieldType) (m : nat).

@@ -1,11 +1,7 @@
 (* FJ07, section 3, singular points: Corollary 3 in its true form, over an ordered field. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points FJ21_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.Theory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points FJ21_4.
+From mathcomp Require Import order ssrnum.
+Import Order.Theory Num.Theory.
 
 (** FJ07.C3 cleared: where $n\,c(t)+(\Lambda^{*}-t)c'(t)=n\,d(t)+(M^{*}-t)d'(t)$, which is (9) without its denominator, the same identity holds for every $n$,
     also where $n=0$ in the field. *)

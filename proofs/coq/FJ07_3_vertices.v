@@ -1,11 +1,5 @@
 (* FJ07, section 3, the five free parameters of (13): a net is determined by any one vertex, or by the first two. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ07_3_cells FJ21_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ07_3_cells FJ21_4.
 
 Section Vertices.
 Variables (F : fieldType) (m : nat).

@@ -5,13 +5,7 @@
      factor u n K i         prod_{j < i} (X - u_j) prod_{i < j <= K} (X - u_{j+n})
      chord u n c K          sum_i factor_i (c_{i+1} - c_i): c_L - a(M) times prod_{j < K} (M - u_j), polynomials in M
      branches u n c K v w   the polynomial [chord, v, w] whose roots are the values M_0 *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Dependence FJ07_2 FJ07_3_net FJ21_4 FJ07_2_cones FJ07_3_generic.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Dependence FJ07_2 FJ07_3_net FJ21_4 FJ07_2_cones FJ07_3_generic.
 
 Section LastRuling.
 Variables (F : fieldType) (m : nat).

@@ -1,11 +1,5 @@
 (* FJ07, sections 3 and 4, inner knots: which curves have nets of (13) with M* at an inner knot of any multiplicity, and what that says of the roots of (20). *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_net FJ07_2_cones FJ21_4 FJ07_3_knots FJ07_3_vertices FJ07_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_2_cones FJ21_4 FJ07_3_knots FJ07_3_vertices FJ07_4.
 
 Section Inner.
 Variables (F : fieldType) (m : nat).

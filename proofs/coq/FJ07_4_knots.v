@@ -1,11 +1,5 @@
 (* FJ07, section 4, where a root of equation (20) is an end knot: which of them are surfaces. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_net FJ07_3_vertices FJ21_4 FJ07_2_cones FJ07_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_3_vertices FJ21_4 FJ07_2_cones FJ07_4.
 
 Section Ends.
 Variable F : fieldType.

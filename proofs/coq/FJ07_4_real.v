@@ -1,11 +1,7 @@
 (* FJ07, section 4, over the real numbers: whether there is a surface through the curve with the given end rulings. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bezier FJ07_2_cones FJ07_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.Theory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bezier FJ07_2_cones FJ07_4.
+From mathcomp Require Import order ssrnum.
+Import Order.Theory Num.Theory.
 
 Lemma branches_sum (F : fieldType) (u : nat -> F) n (c : nat -> 'rV[F]_3) K v w :
   branches u n c K v w = \sum_(0 <= i < K.+1) triple (c i.+1 - c i) v w *: factor u n K i.

@@ -2,13 +2,8 @@
    Definitions:
      along v w n x, beside v w n x   det(x, w, n) / det(v, w, n) and det(v, x, n) / det(v, w, n): alpha and beta for x = a(M_0) - c_L
      first_end u n K L M alpha    sigma_0;  last_end u K L M beta    tau_0 *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Dependence FJ07_2 FJ07_3_net FJ21_4 FJ07_2_cones FJ07_3_generic FJ07_3_segments FJ07_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Dependence FJ07_2 FJ07_3_net FJ21_4 FJ07_2_cones FJ07_3_generic FJ07_3_segments FJ07_4.
+From mathcomp Require Import order ssrnum.
 
 Section Coefficients.
 Variable F : fieldType.

@@ -1,11 +1,5 @@
 (* FJ07, section 4: parallel and meeting end rulings, and what fails there. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Dependence Segments FJ07_2 FJ07_3_net FJ21_4 FJ07_2_cones FJ07_3_generic FJ07_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Dependence Segments FJ07_2 FJ07_3_net FJ21_4 FJ07_2_cones FJ07_3_generic FJ07_4.
 
 Section Clamped.
 Variables (F : fieldType) (m : nat).

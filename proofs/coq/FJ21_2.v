@@ -4,13 +4,7 @@
      rows4 p q r s          the matrix with these rows
      dependent4 p q r s     a p + b q + c r + d s = 0 for some a, b, c, d that are not all zero
      rational_developable p q   (d - c).(c' x d') = 0, the condition (2.1), for c = affine p, d = affine q *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Dependence Functions BZZ19_3.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Dependence Functions BZZ19_3.
 
 Section Plane.
 Variable R : idomainType.

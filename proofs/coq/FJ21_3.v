@@ -3,13 +3,7 @@
      last_point n u c a     c[t, ..., t, a], a point of the last step of de Casteljau's or de Boor's algorithm: c_0^{n-1}(t) for a = 0 or
                             a = u_{n-1}, c_1^{n-1}(t) for a = 1 or a = u_n
      coplanar a b c d       four points of space lie on a plane N.x = e, N not 0 *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Dependence Functions BZZ19_3 FJ21_2.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Dependence Functions BZZ19_3 FJ21_2.
 
 Section LastPoints.
 Variables (F : fieldType) (m : nat).

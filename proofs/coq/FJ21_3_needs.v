@@ -1,13 +1,7 @@
 (* FJ21, Theorem 3.1: developable surfaces without Lam, M, sigma.
    Definitions:
      row4 a b c d     the row with these four entries *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Functions FJ21_2 FJ21_3_theorem.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ21_2 FJ21_3_theorem.
 
 Definition row4 (R : ringType) (a b c d : R) : 'rV[R]_4 := \row_k nth 0 [:: a; b; c; d] k.
 

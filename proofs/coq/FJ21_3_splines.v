@@ -1,11 +1,5 @@
 (* FJ21, Theorem 3.2: splines, where every piece has its own Lam, M, sigma. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Functions FJ21_2 FJ21_3_theorem FJ21_3_needs FJ21_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ21_2 FJ21_3_theorem FJ21_3_needs FJ21_4.
 
 (* The two cells of an example, as equations for Lam, M, sigma. *)
 Lemma first_cell (E : fieldType) (L M s : E) (a := 10%:R^-1 : E) : 10%:R != 0 :> E ->

@@ -4,13 +4,7 @@
      frelated n p q L M s   p[t, ..., t, L] = s q[t, ..., t, M] for rational functions L, M, s
      spanned x a b c        x is a combination of a, b, c with rational functions as coefficients
      free a b c             a, b, c are independent *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Functions FJ21_2.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ21_2.
 
 Section Spans.
 Variables (K : fieldType) (m : nat).

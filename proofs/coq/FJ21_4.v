@@ -5,13 +5,7 @@
      tangent n p t x      p(t) + (x-t)/n p'(t), which is the blossom p[t, ..., t, x]
      related_at n p q t L M s   p[t, ..., t, Lam] = sigma q[t, ..., t, M] at t, for the values Lam, M, sigma at t
      frame p q t lam mu nu      p' = lam W + mu W' + nu p at t, W = q - p *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points.
 
 (* x = y follows from l = r where x - y is a multiple of l - r. *)
 Lemma by_multiple (R : ringType) (z x y l r : R) : l = r -> x - y = z * (l - r) -> x = y.

@@ -1,13 +1,7 @@
 (* FJ21, equation (4.3): when there is a frame, and when a factor f removes its term along p. Curves are rows of rational functions of t.
    Definitions:
      fframe P Q lam mu nu   P' = lam W + mu W' + nu P with rational functions lam, mu, nu, W = Q - P *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Functions FJ21_2 FJ21_3_theorem FJ21_3_needs.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ21_2 FJ21_3_theorem FJ21_3_needs.
 
 (* The algebra of the gauge rule, in any field. *)
 Section Algebra.

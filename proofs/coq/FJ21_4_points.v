@@ -2,13 +2,7 @@
    Definitions:
      level t w r i           w_i^r: the numbers w_i after r steps x_i <- (1-t) x_i + t x_{i+1}
      point_level t w c r i   c_i^r: the points c_i after r steps of (3.1), with the weights w *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_blossoms FJ21_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_blossoms FJ21_4.
 
 Section Algorithm.
 Variables (F : fieldType) (m : nat).
@@ -29,12 +23,12 @@ elim: r i => [|r ih] i e /=; first by apply: e; lia.
 by congr (_ * _ + _ * _); apply: ih => j le_j; apply: e; lia.
 Qed.
 
-Lemma level_blossom t w n : level t w n 0 = blossom (bez F n) w (nseq n (at_ t)).
+Lemma level_blossom t w n : level t w n 0 = blossom (step01 F n) w (nseq n (at_ t)).
 Proof.
 elim: n w => [|n ih] w; first by [].
-rewrite level_first /= size_nseq (@blossom_ext_knots _ _ (bez F n)); last first.
-  by move=> i; rewrite size_nseq => lt_i; rewrite /shift /bez ltnS.
-rewrite -ih; apply: level_ext => j le_j; rewrite /step /bez /= leq_addl leqNgt ltnS (_ : (j <= n)%N) /=; last by lia.
+rewrite level_first /= size_nseq (@blossom_ext_knots _ _ (step01 F n)); last first.
+  by move=> i; rewrite size_nseq => lt_i; rewrite /shift /step01 ltnS.
+rewrite -ih; apply: level_ext => j le_j; rewrite /step /step01 /= leq_addl leqNgt ltnS (_ : (j <= n)%N) /=; last by lia.
 by rewrite !subr0 divr1 !mul1r subr0.
 Qed.
 
@@ -55,8 +49,8 @@ Qed.
     Hypotheses: no weight $w_i^r$, $r=1..n$, vanishes, so that all points $c_i^r$ have a meaning.
     Paper: states none; positive weights and $0\le t\le1$ suffice. *)
 Theorem FJ21_3_1_algorithm t w c n : (forall r i, (0 < r)%N -> (i + r <= n)%N -> level t w r i != 0) ->
-  level t w n 0 = blossom (bez F n) w (nseq n (at_ t)) /\
-  level t w n 0 *: point_level t w c n 0 = pblossom (bez F n) (fun i => w i *: c i) (nseq n (at_ t)).
+  level t w n 0 = blossom (step01 F n) w (nseq n (at_ t)) /\
+  level t w n 0 *: point_level t w c n 0 = pblossom (step01 F n) (fun i => w i *: c i) (nseq n (at_ t)).
 Proof.
 move=> nz; split; first exact: level_blossom.
 apply/rowP=> k; rewrite !mxE level_row; last by move=> s j h1 _ h3; apply: nz; lia.

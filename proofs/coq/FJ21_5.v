@@ -1,13 +1,7 @@
 (* FJ21, section 5: what operations on the curves do to Lam, M, sigma.
    Definitions:
      linear a b       the factor a + b X of degree one *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_blossoms FJ21_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_blossoms FJ21_4.
 
 Section Features.
 Variables (F : fieldType) (m : nat).
@@ -52,13 +46,13 @@ Qed.
 (** FJ21.5.2 blossom: weights times $b^{n-i}$ are the substitution $(a,w)\mapsto(a,(1-b)a+bw)$ in every argument:
     $\tilde p[u_1,\dots,u_n]=\prod_i((1-b)u_i+b)\;p[\frac{u_1}{(1-b)u_1+b},\dots]$. *)
 Theorem FJ21_5_2_blossom (c : nat -> F) b v :
-  blossom (bez F (size v)) (fun i => b ^+ (size v - i) * c i) v
-    = blossom (bez F (size v)) c [seq (x.1, (1 - b) * x.1 + b * x.2) | x <- v].
+  blossom (step01 F (size v)) (fun i => b ^+ (size v - i) * c i) v
+    = blossom (step01 F (size v)) c [seq (x.1, (1 - b) * x.1 + b * x.2) | x <- v].
 Proof.
 elim: v c => [|x v ih] c /=; first by rewrite subn0 mul1r.
 rewrite -/(size v) size_map.
-rewrite (@blossom_ext_knots _ _ (bez F (size v))) // -[RHS](@blossom_ext_knots _ (bez F (size v))) //.
-rewrite -ih; apply: blossom_ext => i le_i; rewrite /step /bez leq_addl leqNgt ltnS le_i /= !subr0 !divr1 !mulr1 !mulr0 !subr0.
+rewrite (@blossom_ext_knots _ _ (step01 F (size v))) // -[RHS](@blossom_ext_knots _ (step01 F (size v))) //.
+rewrite -ih; apply: blossom_ext => i le_i; rewrite /step /step01 leq_addl leqNgt ltnS le_i /= !subr0 !divr1 !mulr1 !mulr0 !subr0.
 by rewrite subSn // exprS subSS; ring.
 Qed.
 End Features.

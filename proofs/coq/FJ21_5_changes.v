@@ -2,13 +2,7 @@
    Definitions:
      moebius n b c          the points b^(n-i) c_i
      insert_points n p x u c   Boehm's points with x inserted as knot p, coordinate by coordinate *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_blossoms FJ21_4 FJ21_5 Insertion.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_blossoms FJ21_4 FJ21_5 Insertion.
 
 Section Scaling.
 Variable R : comUnitRingType.
@@ -33,14 +27,14 @@ Implicit Types (c d : nat -> 'rV[F]_m) (b t x L M s : F) (n : nat).
 
 Definition moebius n b c i := b ^+ (n - i) *: c i.
 
-Lemma moebius_blossom n b c v k : size v = n -> blossom (bez F n) (coord (moebius n b c) k) v
-  = blossom (bez F n) (coord c k) [seq (x.1, (1 - b) * x.1 + b * x.2) | x <- v].
+Lemma moebius_blossom n b c v k : size v = n -> blossom (step01 F n) (coord (moebius n b c) k) v
+  = blossom (step01 F n) (coord c k) [seq (x.1, (1 - b) * x.1 + b * x.2) | x <- v].
 Proof. by move=> <-; rewrite -FJ21_5_2_blossom; apply: blossom_ext => i _; rewrite /coord mxE. Qed.
 
 (** FJ21.5.1 curve: weights times $b^{n-i}$ give $\tilde p(u)=((1-b)u+b)^n\,p(t(u))$, $t(u)=\frac u{(1-b)u+b}$.
     Hypotheses: $(1-b)u+b\ne0$. *)
 Theorem FJ21_5_1_curve n b c x (D := (1 - b) * x + b) : D != 0 ->
-  pblossom (bez F n) (moebius n b c) (nseq n (at_ x)) = D ^+ n *: pblossom (bez F n) c (nseq n (at_ (x / D))).
+  pblossom (step01 F n) (moebius n b c) (nseq n (at_ x)) = D ^+ n *: pblossom (step01 F n) c (nseq n (at_ (x / D))).
 Proof.
 move=> d0; apply/rowP=> k; rewrite !mxE moebius_blossom ?size_nseq // map_nseq /= mulr1 -/D.
 have -> : (x, D) = (D * (at_ (x / D)).1, D * (at_ (x / D)).2) by rewrite /= mulr1 mulrC divfK.
@@ -54,20 +48,20 @@ Qed.
     Paper: states none of them. *)
 Theorem FJ21_5_2_functions n b c d x L M s (D := (1 - b) * x + b) (A := 1 + (b - 1) * L) (B := 1 + (b - 1) * M) :
   b != 0 -> D != 0 -> A != 0 -> B != 0 ->
-  pblossom (bez F n.+1) (moebius n.+1 b c) (at_ (b * L / A) :: nseq n (at_ x))
-    = (s * B / A) *: pblossom (bez F n.+1) (moebius n.+1 b d) (at_ (b * M / B) :: nseq n (at_ x)) <->
-  pblossom (bez F n.+1) c (at_ L :: nseq n (at_ (x / D))) = s *: pblossom (bez F n.+1) d (at_ M :: nseq n (at_ (x / D))).
+  pblossom (step01 F n.+1) (moebius n.+1 b c) (at_ (b * L / A) :: nseq n (at_ x))
+    = (s * B / A) *: pblossom (step01 F n.+1) (moebius n.+1 b d) (at_ (b * M / B) :: nseq n (at_ x)) <->
+  pblossom (step01 F n.+1) c (at_ L :: nseq n (at_ (x / D))) = s *: pblossom (step01 F n.+1) d (at_ M :: nseq n (at_ (x / D))).
 Proof.
 move=> b0 d0 a0 b1.
 have moved (e : nat -> 'rV[F]_m) y : 1 + (b - 1) * y != 0 ->
-    pblossom (bez F n.+1) (moebius n.+1 b e) (at_ (b * y / (1 + (b - 1) * y)) :: nseq n (at_ x))
-    = (b / (1 + (b - 1) * y) * D ^+ n) *: pblossom (bez F n.+1) e (at_ y :: nseq n (at_ (x / D))).
+    pblossom (step01 F n.+1) (moebius n.+1 b e) (at_ (b * y / (1 + (b - 1) * y)) :: nseq n (at_ x))
+    = (b / (1 + (b - 1) * y) * D ^+ n) *: pblossom (step01 F n.+1) e (at_ y :: nseq n (at_ (x / D))).
   move=> y0; apply/rowP=> k; rewrite !mxE moebius_blossom; last by rewrite /= size_nseq.
   have -> : [seq (z.1, (1 - b) * z.1 + b * z.2) | z <- at_ (b * y / (1 + (b - 1) * y)) :: nseq n (at_ x)]
       = (b / (1 + (b - 1) * y) * (at_ y).1, b / (1 + (b - 1) * y) * (at_ y).2) :: nseq n (D * (at_ (x / D)).1, D * (at_ (x / D)).2).
     rewrite /= map_nseq /= !mulr1 -/D; congr ((_, _) :: nseq _ (_, _)); [by rewrite mulrAC | by field | by rewrite mulrC divfK].
   set be := b / _; set w := nseq n (D * _, _).
-  have := blossom_scale (bez F n.+1) (coord e k) [::] w be (at_ y); rewrite !cat0s => ->.
+  have := blossom_scale (step01 F n.+1) (coord e k) [::] w be (at_ y); rewrite !cat0s => ->.
   rewrite -mulrA; congr (be * _); exact: (blossom_scale_all _ _ [:: at_ y]).
 rewrite !moved // -/A -/B scalerA.
 have -> : s * B / A * (b / B * D ^+ n) = b / A * D ^+ n * s by field; rewrite a0 b1.

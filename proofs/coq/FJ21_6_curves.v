@@ -4,13 +4,7 @@
      degree_is n p     and one of them has the degree n
      inside N p        p(t) N = 0 for all t: the curve lies in the subspace of the points that the columns of N, planes, have in common
      on_rulings A p q  the constant point A is a combination of p(t) and q(t) with rational coefficients: all rulings pass through it *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier ZW06_cases FJ21_4 FJ21_6_theorem.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier ZW06_cases FJ21_4 FJ21_6_theorem.
 
 Section Degrees.
 Variables (F : fieldType) (m : nat).

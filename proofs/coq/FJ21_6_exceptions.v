@@ -1,11 +1,5 @@
 (* FJ21, section 6: the edge of regression as a rational curve (Corollary 6.1), and the exceptional cases of Theorem 6.1. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Functions FJ21_2 FJ21_3_theorem FJ21_4 FJ21_6_theorem.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Functions FJ21_2 FJ21_3_theorem FJ21_4 FJ21_6_theorem.
 
 (* The algebra of Corollary 6.1, in any field. *)
 Section Algebra.

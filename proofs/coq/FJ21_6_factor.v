@@ -2,13 +2,7 @@
    Definitions:
      in_ruling x p q         x is a combination of p and q with rational functions as coefficients: it lies on the ruling through them
      same_rulings p q a b    the rulings through p and q are those through a and b *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Functions FJ21_3_theorem FJ21_3_needs FJ21_4 FJ21_4_gauge FJ21_6_theorem.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ21_3_theorem FJ21_3_needs FJ21_4 FJ21_4_gauge FJ21_6_theorem.
 
 Section Rulings.
 Variables (K : fieldType) (m : nat).

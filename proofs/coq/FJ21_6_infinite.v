@@ -1,11 +1,5 @@
 (* FJ21, Corollary 6.1 where E = Lam - t + sigma (t - M) vanishes identically: v is infinite, and the edge is the curve W = q - p. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Functions FJ21_2 FJ21_3_theorem FJ21_4 FJ21_4_gauge.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ21_2 FJ21_3_theorem FJ21_4 FJ21_4_gauge.
 
 (* The algebra, in any field. *)
 Section Algebra.

@@ -3,13 +3,7 @@
      related_rows n p q L M   p[t, ..., t, L] = q[t, ..., t, M] for all t, as rows of polynomials, L and M constant, sigma = 1
      edge p q L M             ((L - t) p + (t - M) q) / (L - M)
      patch n r x              r + (x - t)/(n+1) r' *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ21_4.
 
 Section Pointwise.
 Variables (F : fieldType) (m : nat).

@@ -1,13 +1,7 @@
 (* FJ21, section 6: an example for each condition that Theorem 6.1 passes over in silence, for n = 2, Lam = 3 and M = 2.
    Definitions:
      side x r     r + (x - t)/3 r', so that p is side 2 r and q is side 3 r *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Functions FJ21_2 FJ21_3_needs FJ21_4 FJ21_6_theorem.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Functions FJ21_2 FJ21_3_needs FJ21_4 FJ21_6_theorem.
 
 Section Witnesses.
 Variable F : fieldType.

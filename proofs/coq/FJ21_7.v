@@ -1,11 +1,5 @@
 (* FJ21, section 7: constant Lam, M, sigma; polarisation. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_2.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_2.
 
 Section Polarisation.
 Variable F : fieldType.

@@ -1,11 +1,5 @@
 (* FJ21, section 7: constant Lam, M, sigma: the full polar form and the net. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ07_2 FJ21_7 FJ21_3.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ07_2 FJ21_7 FJ21_3.
 
 Section Net.
 Variables (F : fieldType) (m : nat).
@@ -33,11 +27,11 @@ Qed.
 
 (** FJ21.7.1 bezier: on $[0,1]$ the net is $(1-\Lambda)p_j+\Lambda p_{j+1}=\sigma\bigl((1-M)q_j+Mq_{j+1}\bigr)$, $j=0..n-1$. *)
 Theorem FJ21_7_1_bezier n L M s c d :
-  (forall v, (size v).+1 = n -> pblossom (bez F n) c (at_ L :: v) = s *: pblossom (bez F n) d (at_ M :: v)) <->
+  (forall v, (size v).+1 = n -> pblossom (step01 F n) c (at_ L :: v) = s *: pblossom (step01 F n) d (at_ M :: v)) <->
   forall j, (j < n)%N -> (1 - L) *: c j + L *: c j.+1 = s *: ((1 - M) *: d j + M *: d j.+1).
 Proof.
-rewrite FJ21_7_1_cells; last exact: bez_span.
-by split=> h j lt_j; have := h j lt_j; rewrite /bez leq_addl leqNgt lt_j /= !subr0.
+rewrite FJ21_7_1_cells; last exact: span_step01.
+by split=> h j lt_j; have := h j lt_j; rewrite /step01 leq_addl leqNgt lt_j /= !subr0.
 Qed.
 
 (** FJ21.7.1 diagonal: $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$ as polynomials in $t$ implies $p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]$ for all
@@ -87,13 +81,13 @@ Qed.
     determines neither the points nor the polar form.
     Hypotheses: $2=0$ in the field. *)
 Theorem FJ21_7_1_needs_factorial (c := fun i => (i == 1%N)%:R : F) : 2%:R = 0 :> F ->
-  span 2 (bez F 2) /\ curve 2 (bez F 2) c = curve 2 (bez F 2) (fun=> 0) /\ c 1%N <> 0.
+  span 2 (step01 F 2) /\ curve 2 (step01 F 2) c = curve 2 (step01 F 2) (fun=> 0) /\ c 1%N <> 0.
 Proof.
-move=> two; split; first exact: bez_span.
+move=> two; split; first exact: span_step01.
 split; last by move=> /eqP; rewrite /c oner_eq0.
-rewrite [RHS](_ : _ = 0); last by exact: (blossom0 (polys (bez F 2))).
+rewrite [RHS](_ : _ = 0); last by exact: (blossom0 (polys (step01 F 2))).
 have t0 (x : {poly F}) : x + x = 0 by rewrite -mulr2n -mulr_natr -(rmorph_nat [rmorphism of @polyC F]) /= two mulr0.
-rewrite /curve /= /step /polys /bez /c /shift /= !polyC0 !polyC1 !subr0 !divr1.
+rewrite /curve /= /step /polys /step01 /c /shift /= !polyC0 !polyC1 !subr0 !divr1.
 by rewrite !mul1r !mulr1 !mulr0 add0r addr0 !subr0 [(1 - 'X) * _]mulrC t0.
 Qed.
 End Net.

@@ -3,13 +3,9 @@
    Definitions:
      weighted w x y z   the homogeneous row of the point (x, y, z) with the weight w
      example_p, example_q   the rows of c(t) and d(t) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points FJ07_3_blossoms FJ21_3_needs FJ21_7_net.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points FJ07_3_blossoms FJ21_3_needs FJ21_7_net.
+From mathcomp Require Import order ssrnum.
+Import Num.Theory.
 
 Section Example.
 Variable F : numFieldType.

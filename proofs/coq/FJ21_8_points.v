@@ -3,13 +3,9 @@
    Definitions:
      elevated_p, elevated_q     the printed rows of degree 4
      inserted c                 Boehm's points for the knot 2/3 in 0, 0, 0, 1, 1, 1;  inserted_knots those knots with it *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier FJ07_3_net FJ21_3_needs FJ21_4 FJ21_8.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier FJ07_3_net FJ21_3_needs FJ21_4 FJ21_8.
+From mathcomp Require Import order ssrnum.
+Import Num.Theory.
 
 Section Example.
 Variable F : numFieldType.

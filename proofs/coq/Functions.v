@@ -5,14 +5,8 @@
      pfderiv x      the derivative of such a row, coordinate by coordinate
      weight p, place p     the first coordinate of a homogeneous row and the others
      affine p       the point place p / weight p of space *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From mathcomp Require Import generic_quotient.
-From Torse Require Import Points.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points.
+From mathcomp Require Import generic_quotient ring_quotient.
 
 Section Quotient.
 Import FracField.
@@ -29,12 +23,12 @@ Qed.
 End Quotient.
 
 (* The quotient rule of sums and products, over any field: `field` is slow on fractions. *)
-Lemma quotient_sum (L : fieldType) (f g h k f' g' h' k' : L) : g != 0 -> k != 0 ->
+Lemma quotient_rule_sum (L : fieldType) (f g h k f' g' h' k' : L) : g != 0 -> k != 0 ->
   ((f' * k + f * k' + (h' * g + h * g')) * (g * k) - (f * k + h * g) * (g' * k + g * k')) / (g * k) ^+ 2
     = (f' * g - f * g') / g ^+ 2 + (h' * k - h * k') / k ^+ 2.
 Proof. by move=> g0 k0; field; rewrite g0 k0. Qed.
 
-Lemma quotient_product (L : fieldType) (f g h k f' g' h' k' : L) : g != 0 -> k != 0 ->
+Lemma quotient_rule_product (L : fieldType) (f g h k f' g' h' k' : L) : g != 0 -> k != 0 ->
   ((f' * h + f * h') * (g * k) - f * h * (g' * k + g * k')) / (g * k) ^+ 2
     = (f' * g - f * g') / g ^+ 2 * (h / k) + f / g * ((h' * k - h * k') / k ^+ 2).
 Proof. by move=> g0 k0; field; rewrite g0 k0. Qed.
@@ -79,7 +73,7 @@ Proof.
 have [f [g [g0 ->]]] := fraction_ex x; have [h [k [k0 ->]]] := fraction_ex y.
 have [gF kF] : g%:F != 0 /\ k%:F != 0 by rewrite !tofrac_eq0.
 rewrite addf_div // -!tofracM -tofracD !fderiv_div ?mulf_neq0 // !derivD !derivM.
-rewrite !(tofracB, tofracD, tofracM, tofracX); exact: quotient_sum.
+rewrite !(tofracB, tofracD, tofracM, tofracX); exact: quotient_rule_sum.
 Qed.
 
 Lemma fderivM x y : fderiv (x * y) = fderiv x * y + x * fderiv y.
@@ -87,7 +81,7 @@ Proof.
 have [f [g [g0 ->]]] := fraction_ex x; have [h [k [k0 ->]]] := fraction_ex y.
 have [gF kF] : g%:F != 0 /\ k%:F != 0 by rewrite !tofrac_eq0.
 rewrite mulf_div -!tofracM !fderiv_div ?mulf_neq0 // !derivM.
-rewrite !(tofracB, tofracD, tofracM, tofracX); exact: quotient_product.
+rewrite !(tofracB, tofracD, tofracM, tofracX); exact: quotient_rule_product.
 Qed.
 
 Lemma fderivN x : fderiv (- x) = - fderiv x.

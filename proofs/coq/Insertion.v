@@ -2,13 +2,7 @@
    Definitions:
      insert_knot p x u         the knots with x as knot number p; those from u_p on move up
      insert_point n p x u c    Boehm's control points over these knots *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points.
 
 Section Insertion.
 Variable R : comUnitRingType.

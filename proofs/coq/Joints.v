@@ -1,11 +1,5 @@
 (* Blossoms of neighbouring pieces: what they share at the knots between them. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves.
 
 Section Joints.
 Variable R : comUnitRingType.

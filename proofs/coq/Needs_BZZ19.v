@@ -2,14 +2,10 @@
    Definitions:
      loop_x, loop_y      the plane cubic ((t-1)(t-3), (t-1)(t-2)(t-3)), which passes through 0 at t = 1 and t = 3
      loop h              the curve (loop_x, loop_y, t + h) of space *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier BZZ19_3 BZZ19_4 BZZ19_4_pieces FJ21_4.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier BZZ19_3 BZZ19_4 BZZ19_4_pieces FJ21_4.
+From mathcomp Require Import order ssrnum.
 From Torse Require Import Needs_blossoms Needs_FJ07_curves.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+Import Order.TTheory Num.Theory.
 
 Section Field.
 Variable F : fieldType.

@@ -1,11 +1,7 @@
 (* BZZ19, the mapping: what happens without the hypotheses of the theorems on its range, its ends and its monotony, one counterexample each. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Bezier BZZ19_3 BZZ19_3_range BZZ19_3_pieces Needs_blossoms Needs_BZZ19.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Bezier BZZ19_3 BZZ19_3_range BZZ19_3_pieces Needs_blossoms Needs_BZZ19.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Lemma quadratic (F : fieldType) (u b : nat -> F) t : span 2 u -> (curve 2 u b).[t] =
   ((u 2%N - t) * (((u 2%N - t) * b 0%N + (t - u 0%N) * b 1%N) / (u 2%N - u 0%N))

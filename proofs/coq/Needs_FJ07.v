@@ -1,13 +1,7 @@
 (* FJ07: what happens without the hypotheses of the theorems, one counterexample each, over any field.
    Definitions:
      on_line s i      member i of the list s of numbers, as a point of a line *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_2 FJ07_3_pieces FJ07_3_net FJ07_3_blossoms FJ07_3_cells Needs_blossoms.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_2 FJ07_3_pieces FJ07_3_net FJ07_3_blossoms FJ07_3_cells Needs_blossoms.
 
 Section Lines.
 Variable F : fieldType.

@@ -1,12 +1,6 @@
 (* FJ07, sections 2 and 3, Theorem 1 and the cones: what happens without the hypotheses, one counterexample each, over any field. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier FJ07_2 FJ07_2_tangent FJ07_3_net FJ07_3_blossoms FJ07_2_cones
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier FJ07_2 FJ07_2_tangent FJ07_3_net FJ07_3_blossoms FJ07_2_cones
   FJ07_3_vertices Needs_blossoms Needs_FJ07.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
 
 Section Needs.
 Variable F : fieldType.

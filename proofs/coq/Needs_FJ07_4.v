@@ -1,12 +1,6 @@
 (* FJ07, section 4: what happens without the hypotheses of the theorems, one counterexample each, over any field. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_2 FJ07_3_net FJ07_3_blossoms FJ21_4 FJ07_2_cones FJ07_3_generic FJ07_4 FJ07_4_rulings
+From Torse Require Import Prelude Blossom Curves Points FJ07_2 FJ07_3_net FJ07_3_blossoms FJ21_4 FJ07_2_cones FJ07_3_generic FJ07_4 FJ07_4_rulings
   FJ07_4_special.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
 
 Section Needs.
 Variable F : fieldType.

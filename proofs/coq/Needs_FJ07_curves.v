@@ -2,13 +2,9 @@
    Definitions:
      bent_c, bent_d   two rows over the knots `bent`
      tangent_side x   the row 3 r + (x - t) r' of the tangent surface of r = (t, t^2, t^3), of degree 2 *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_2 FJ07_3_blossoms FJ21_4 FJ07_3_singular Needs_blossoms.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.Theory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_2 FJ07_3_blossoms FJ21_4 FJ07_3_singular Needs_blossoms.
+From mathcomp Require Import order ssrnum.
+Import Order.Theory Num.Theory.
 
 Section Space.
 Variable R : comUnitRingType.

@@ -1,12 +1,8 @@
 (* FJ07, the nets of section 3 and what they say of Theorem 1 and section 4: what happens without the hypotheses, one counterexample each. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bezier FJ07_2 FJ07_2_cones FJ07_3_pieces FJ07_3_net FJ07_3_cells FJ07_3_closed FJ07_3_edge FJ21_4 FJ07_4
+From Torse Require Import Prelude Blossom Curves Points Bezier FJ07_2 FJ07_2_cones FJ07_3_pieces FJ07_3_net FJ07_3_cells FJ07_3_closed FJ07_3_edge FJ21_4 FJ07_4
   FJ07_4_knots FJ07_4_real Needs_blossoms.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.Theory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From mathcomp Require Import order ssrnum.
+Import Order.Theory Num.Theory.
 
 Section Cells.
 Variables (F : fieldType) (m : nat).

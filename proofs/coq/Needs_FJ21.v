@@ -4,13 +4,7 @@
      jet A B          the row A + B X of polynomials: its value at 0 is A, its derivative B
      e1, e2, e3       the points (1,0,0), (0,1,0), (0,0,1)
      related_with k p q t L M s   related_at with a number k in the place of 1/n *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4 FJ21_5.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ21_4 FJ21_5.
 
 Section Jets.
 Variable F : fieldType.
@@ -46,27 +40,9 @@ Proof. by apply/rowP=> k; rewrite !mxE derivN hornerN. Qed.
 
 Lemma ev_pderiv_scale f p t : ev (pderiv (f *: p)) t = f^`().[t] *: ev p t + f.[t] *: ev (pderiv p) t.
 Proof. by apply/rowP=> k; rewrite !mxE derivM hornerD !hornerM. Qed.
-
-(* Sums and multiples of points given by their coordinates: quicker than entry by entry. *)
-Lemma vec0 : 0 = vec 0 0 0 :> 'rV[F]_3.
-Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
-
-Lemma vecD a b c x y z : vec a b c + vec x y z = vec (a + x) (b + y) (c + z).
-Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
-
-Lemma vecN a b c : - vec a b c = vec (- a) (- b) (- c).
-Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
-
-Lemma vecZ s a b c : s *: vec a b c = vec (s * a) (s * b) (s * c).
-Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
-
-Lemma coords a b c x y z : vec a b c = vec x y z -> [/\ a = x, b = y & c = z].
-Proof. by move=> /rowP e; have := (e (@Ordinal 3 0 isT), e (@Ordinal 3 1 isT), e (@Ordinal 3 2 isT)); rewrite !mxE => -[[]]. Qed.
-
 End Jets.
 
 Notation jetE := (ev_jet, ev_pderiv_jet, evD, evN, ev_pderivD, ev_pderivN, ev_scale, ev_pderiv_scale, FJ21_5.linearE, deriv_linear).
-Notation vecE := (vecZ, vecN, vecD).
 
 Lemma one_is_not_zero (F : fieldType) : (1 = 0 :> F) -> False.
 Proof. by move/eqP; rewrite oner_eq0. Qed.

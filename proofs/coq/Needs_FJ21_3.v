@@ -1,11 +1,5 @@
 (* FJ21, section 3: what happens without the hypotheses of the theorems, one counterexample each. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein FJ07_3_blossoms Needs_blossoms Functions FJ21_2 FJ21_3_theorem FJ21_3_needs FJ21_4.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein FJ07_3_blossoms Needs_blossoms Functions FJ21_2 FJ21_3_theorem FJ21_3_needs FJ21_4.
 
 Section Dependence.
 Variable K : fieldType.
@@ -133,13 +127,13 @@ Variable F : fieldType.
 (** FJ21.3.5 needs_degree: in characteristic 2 the points $0,0,1$ of degree 2 give $p=t^2$ and $p'=0$: at $t=1$ no $y$ has $p(t)+yp'(t)=p[t,0]=0$.
     Hypotheses: $2=0$ in the field. *)
 Theorem FJ21_3_5_needs_degree (c := fun i => const_mx (listed [:: 0; 0; 1] i) : 'rV[F]_1) (y : F) : 2%:R = 0 :> F ->
-  ev (pcurve 2 (bez F 2) c) 1 + y *: ev (pderiv (pcurve 2 (bez F 2) c)) 1 <> pblossom (bez F 2) c [:: at_ 0; at_ 1].
+  ev (pcurve 2 (step01 F 2) c) 1 + y *: ev (pderiv (pcurve 2 (step01 F 2) c)) 1 <> pblossom (step01 F 2) c [:: at_ 0; at_ 1].
 Proof.
-move=> two; rewrite pderiv_curve; last exact: bez_span.
-have z : pvelocity 2 (bez F 2) c *+ 2 = 0.
+move=> two; rewrite pderiv_curve; last exact: span_step01.
+have z : pvelocity 2 (step01 F 2) c *+ 2 = 0.
   by apply/rowP=> k; rewrite mulmxnE -mulr_natl -(rmorph_nat [rmorphism of @polyC F]) two rmorph0 mul0r mxE.
-rewrite z => /rowP/(_ 0); rewrite !mxE horner0 mulr0 addr0 horner_curve; last exact: bez_span.
-rewrite /= /step /shift /bez /coord !mxE /listed /= !subr0 !divr1 !mul1r !(mulr0, mul0r, add0r, addr0, subrr, mulr1, subr0, mul1r, sub0r, oppr0, divr1).
+rewrite z => /rowP/(_ 0); rewrite !mxE horner0 mulr0 addr0 horner_curve; last exact: span_step01.
+rewrite /= /step /shift /step01 /coord !mxE /listed /= !subr0 !divr1 !mul1r !(mulr0, mul0r, add0r, addr0, subrr, mulr1, subr0, mul1r, sub0r, oppr0, divr1).
 by move/eqP; rewrite oner_eq0.
 Qed.
 End Blossom.

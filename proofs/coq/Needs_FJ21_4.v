@@ -1,12 +1,6 @@
 (* FJ21, (4.3) over the rational functions: what happens without the hypotheses of the theorems, one counterexample each, and why the example of
    FJ21_4_gauge.v without a rational factor is none in characteristic 2. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Functions FJ21_3_theorem FJ21_3_needs FJ21_4_gauge.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ21_3_theorem FJ21_3_needs FJ21_4_gauge.
 
 Section Needs.
 Variable F : fieldType.

@@ -1,11 +1,5 @@
 (* FJ21, section 5: what happens without the hypotheses of the theorems, one counterexample each. The first are values at one parameter, as in Needs_FJ21.v. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_blossoms FJ21_4 FJ21_5 FJ21_5_changes Insertion Needs_blossoms Needs_FJ21.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_blossoms FJ21_4 FJ21_5 FJ21_5_changes Insertion Needs_blossoms Needs_FJ21.
 
 Section Needs.
 Variable F : fieldType.
@@ -130,18 +124,18 @@ Notation e3 := (e3 F).
 Implicit Types (L M s b x y : F).
 Let one_is_not_zero := @one_is_not_zero F.
 
-Lemma line_blossom m (c : nat -> 'rV[F]_m) x : pblossom (bez F 1) c [:: at_ x] = (1 - x) *: c 0%N + x *: c 1%N.
-Proof. by apply/rowP=> k; rewrite !mxE /= /step /bez /coord /= !mul1r !subr0 divr1. Qed.
+Lemma line_blossom m (c : nat -> 'rV[F]_m) x : pblossom (step01 F 1) c [:: at_ x] = (1 - x) *: c 0%N + x *: c 1%N.
+Proof. by apply/rowP=> k; rewrite !mxE /= /step /step01 /coord /= !mul1r !subr0 divr1. Qed.
 
 Lemma moebius_line m b (c : nat -> 'rV[F]_m) x :
-  pblossom (bez F 1) (moebius 1 b c) [:: at_ x] = ((1 - x) * b) *: c 0%N + x *: c 1%N.
+  pblossom (step01 F 1) (moebius 1 b c) [:: at_ x] = ((1 - x) * b) *: c 0%N + x *: c 1%N.
 Proof. by rewrite line_blossom /moebius subn0 subnn expr1 expr0 scale1r scalerA. Qed.
 
 (** FJ21.5.1 curve_needs_finite: where $(1-b)u+b=0$ the parameter $t(u)$ is infinite, and no point $y$ in the place of $p(t)$ has $\tilde p(u)=((1-b)u+b)^ny$: the points
     $0,1$ of degree 1.
     Hypotheses: $b\ne0$. *)
 Theorem FJ21_5_1_curve_needs_finite b x (y : 'rV[F]_1) (c := nth 0 [:: 0; const_mx 1] : nat -> 'rV[F]_1) : b != 0 -> (1 - b) * x + b = 0 ->
-  pblossom (bez F 1) (moebius 1 b c) [:: at_ x] <> ((1 - b) * x + b) ^+ 1 *: y.
+  pblossom (step01 F 1) (moebius 1 b c) [:: at_ x] <> ((1 - b) * x + b) ^+ 1 *: y.
 Proof.
 move=> b0 d0; rewrite d0 expr1 scale0r moebius_line /c /= scaler0 add0r => /rowP/(_ 0); rewrite !mxE mulr1 => x0.
 by case/eqP: b0; rewrite -d0 x0 mulr0 add0r.
@@ -150,8 +144,8 @@ Qed.
 (** FJ21.5.2 functions_needs_b: for $b=0$ the rows keep their last points only: $c_0=1$, $d_0=c_1=d_1=0$ become related for $\tilde\Lambda=\tilde M=0$, and are not for
     $\Lambda=M=0$, $\sigma=1$. *)
 Theorem FJ21_5_2_functions_needs_b (c := nth 0 [:: const_mx 1] : nat -> 'rV[F]_1) (d := fun=> 0 : 'rV[F]_1) :
-  pblossom (bez F 1) (moebius 1 0 c) [:: at_ 0] = 1 *: pblossom (bez F 1) (moebius 1 0 d) [:: at_ 0] /\
-  pblossom (bez F 1) c [:: at_ 0] <> 1 *: pblossom (bez F 1) d [:: at_ 0].
+  pblossom (step01 F 1) (moebius 1 0 c) [:: at_ 0] = 1 *: pblossom (step01 F 1) (moebius 1 0 d) [:: at_ 0] /\
+  pblossom (step01 F 1) c [:: at_ 0] <> 1 *: pblossom (step01 F 1) d [:: at_ 0].
 Proof.
 rewrite !moebius_line !line_blossom /c /d /=; split; first by rewrite !(mulr0, scale0r, scaler0, addr0).
 by rewrite !(scaler0, scale0r, addr0, subr0, scale1r) => /rowP/(_ 0); rewrite !mxE => /one_is_not_zero.
@@ -160,18 +154,18 @@ Qed.
 (** FJ21.5.2 functions_needs_finite: where $(1-b)u+b=0$ the rows of the constants $c=1$, $d=0$ of degree 2 are related for all $\tilde\Lambda$, $\tilde M$, $\tilde\sigma$, and at no $t$ are
     $c$ and $d$. *)
 Theorem FJ21_5_2_functions_needs_finite b x L M s (c := fun=> const_mx 1 : 'rV[F]_1) (d := fun=> 0 : 'rV[F]_1) : (1 - b) * x + b = 0 ->
-  pblossom (bez F 2) (moebius 2 b c) [:: at_ L; at_ x] = s *: pblossom (bez F 2) (moebius 2 b d) [:: at_ M; at_ x] /\
-  forall t L' M' s', pblossom (bez F 2) c [:: at_ L'; at_ t] <> s' *: pblossom (bez F 2) d [:: at_ M'; at_ t].
+  pblossom (step01 F 2) (moebius 2 b c) [:: at_ L; at_ x] = s *: pblossom (step01 F 2) (moebius 2 b d) [:: at_ M; at_ x] /\
+  forall t L' M' s', pblossom (step01 F 2) c [:: at_ L'; at_ t] <> s' *: pblossom (step01 F 2) d [:: at_ M'; at_ t].
 Proof.
-move=> d0; have zero e v : pblossom (bez F 2) (fun i => e i *: d i) v = 0.
-  by apply/rowP=> k; rewrite !mxE -[RHS](blossom0 (bez F 2) v); apply: blossom_ext => i _; rewrite /coord /d !mxE mulr0.
+move=> d0; have zero e v : pblossom (step01 F 2) (fun i => e i *: d i) v = 0.
+  by apply/rowP=> k; rewrite !mxE -[RHS](blossom0 (step01 F 2) v); apply: blossom_ext => i _; rewrite /coord /d !mxE mulr0.
 split=> [|t L' M' s'].
-  rewrite [X in s *: X]zero scaler0; apply/rowP=> k; rewrite !mxE /= /step /shift /bez /coord /moebius /c !mxE /=; rewrite !subr0 !divr1 !mulr1 !mul1r !subr0.
+  rewrite [X in s *: X]zero scaler0; apply/rowP=> k; rewrite !mxE /= /step /shift /step01 /coord /moebius /c !mxE /=; rewrite !subr0 !divr1 !mulr1 !mul1r !subr0.
   have e : (1 - x) * b + x = 0 by apply: (by_multiple (z := 1) d0); ring.
   by apply: (by_multiple (z := (1 - L) * b + L) e); ring.
-have none v : pblossom (bez F 2) d v = 0.
-  by apply/rowP=> k; rewrite !mxE -[RHS](blossom0 (bez F 2) v); apply: blossom_ext => i _; rewrite /coord mxE.
-rewrite none scaler0 => /rowP/(_ 0); rewrite !mxE /= /step /shift /bez /coord /c !mxE /= !subr0 !divr1 !mul1r !mulr1 => e.
+have none v : pblossom (step01 F 2) d v = 0.
+  by apply/rowP=> k; rewrite !mxE -[RHS](blossom0 (step01 F 2) v); apply: blossom_ext => i _; rewrite /coord mxE.
+rewrite none scaler0 => /rowP/(_ 0); rewrite !mxE /= /step /shift /step01 /coord /c !mxE /= !subr0 !divr1 !mul1r !mulr1 => e.
 by apply: one_is_not_zero; rewrite -[RHS]e; ring.
 Qed.
 
@@ -179,8 +173,8 @@ Qed.
     $\sigma=1$, and after the transformation with no $\tilde\Lambda$, $\tilde M$, $\tilde\sigma$ at all.
     Hypotheses: $b\ne0$. *)
 Theorem FJ21_5_2_functions_needs_Lambda b L (c := nth 0 [:: e1; e2]) (d := nth 0 [:: (1 - L) *: e1 + L *: e2; e3]) : b != 0 -> 1 + (b - 1) * L = 0 ->
-  pblossom (bez F 1) c [:: at_ L] = 1 *: pblossom (bez F 1) d [:: at_ 0] /\
-  forall x y s, pblossom (bez F 1) (moebius 1 b c) [:: at_ x] <> s *: pblossom (bez F 1) (moebius 1 b d) [:: at_ y].
+  pblossom (step01 F 1) c [:: at_ L] = 1 *: pblossom (step01 F 1) d [:: at_ 0] /\
+  forall x y s, pblossom (step01 F 1) (moebius 1 b c) [:: at_ x] <> s *: pblossom (step01 F 1) (moebius 1 b d) [:: at_ y].
 Proof.
 move=> b0 a0; split=> [|x y s]; rewrite ?moebius_line ?line_blossom /c /d /e1 /e2 /e3 /=; first by by_coords; ring.
 split_coords => h1 h2 _; apply: one_is_not_zero; apply: (mulfI b0).
@@ -193,8 +187,8 @@ Qed.
     $\tilde\Lambda$, $\tilde M$, $\tilde\sigma$ at all.
     Hypotheses: $b\ne0$. *)
 Theorem FJ21_5_2_functions_needs_M b M (c := nth 0 [:: (1 - M) *: e1 + M *: e2; e3]) (d := nth 0 [:: e1; e2]) : b != 0 -> 1 + (b - 1) * M = 0 ->
-  pblossom (bez F 1) c [:: at_ 0] = 1 *: pblossom (bez F 1) d [:: at_ M] /\
-  forall x y s, pblossom (bez F 1) (moebius 1 b c) [:: at_ x] <> s *: pblossom (bez F 1) (moebius 1 b d) [:: at_ y].
+  pblossom (step01 F 1) c [:: at_ 0] = 1 *: pblossom (step01 F 1) d [:: at_ M] /\
+  forall x y s, pblossom (step01 F 1) (moebius 1 b c) [:: at_ x] <> s *: pblossom (step01 F 1) (moebius 1 b d) [:: at_ y].
 Proof.
 move=> b0 a0; split=> [|x y s]; rewrite ?moebius_line ?line_blossom /c /d /e1 /e2 /e3 /=; first by by_coords; ring.
 split_coords => h1 h2 h3; have x0 : x = 0 by apply: (by_multiple (z := 1) h3); ring.

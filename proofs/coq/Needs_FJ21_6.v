@@ -1,11 +1,5 @@
 (* FJ21, section 6: what happens without the hypotheses of the theorems, one counterexample each. The first are values at t = 0, as in Needs_FJ21.v. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_4 FJ21_5 FJ21_6 FJ21_6_theorem Needs_FJ21.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ21_4 FJ21_5 FJ21_6 FJ21_6_theorem Needs_FJ21.
 
 Section Values.
 Variable F : fieldType.

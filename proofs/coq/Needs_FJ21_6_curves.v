@@ -1,11 +1,5 @@
 (* FJ21, Theorem 6.1: what happens without the hypotheses about surfaces and their curves, one counterexample each, over any field. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ21_3 FJ21_6_theorem FJ21_6_curves.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ21_3 FJ21_6_theorem FJ21_6_curves.
 
 Section Needs.
 Variable F : fieldType.

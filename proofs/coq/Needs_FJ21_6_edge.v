@@ -1,11 +1,5 @@
 (* FJ21, section 6: the edge as a curve, the tangents, and the exceptional cases of Theorem 6.1: what happens without the hypotheses, one counterexample each. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Functions FJ21_3_theorem FJ21_3_needs FJ21_4 FJ21_4_gauge FJ21_6_theorem FJ21_6_curves FJ21_6_factor Needs_FJ21.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Functions FJ21_3_theorem FJ21_3_needs FJ21_4 FJ21_4_gauge FJ21_6_theorem FJ21_6_curves FJ21_6_factor Needs_FJ21.
 
 Section Values.
 Variable F : fieldType.

@@ -1,11 +1,5 @@
 (* FJ21, section 7: what happens without the hypotheses of the theorems, one counterexample each. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ21_3 FJ21_7_net Needs_blossoms Needs_FJ07.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ21_3 FJ21_7_net Needs_blossoms Needs_FJ07.
 
 Section Needs.
 Variable F : fieldType.
@@ -14,15 +8,15 @@ Variable F : fieldType.
     $\Lambda=0$, and $p[0,1,0]=1$: the full form does not hold.
     Hypotheses: $2=0$ in the field. *)
 Theorem FJ21_7_1_diagonal_needs_factorial M s (c := fun i => const_mx (i == 1%N)%:R : 'rV[F]_1) (d := fun=> 0 : 'rV[F]_1) : 2%:R = 0 :> F ->
-  last_point 3 (bez F 3) c 0 = s%:P *: last_point 3 (bez F 3) d M /\
-  pblossom (bez F 3) c [:: at_ 0; at_ 0; at_ 1] <> s *: pblossom (bez F 3) d [:: at_ M; at_ 0; at_ 1].
+  last_point 3 (step01 F 3) c 0 = s%:P *: last_point 3 (step01 F 3) d M /\
+  pblossom (step01 F 3) c [:: at_ 0; at_ 0; at_ 1] <> s *: pblossom (step01 F 3) d [:: at_ M; at_ 0; at_ 1].
 Proof.
 move=> two; have t0 (x : {poly F}) : x + x = 0 by rewrite -mulr2n -mulr_natr -(rmorph_nat [rmorphism of @polyC F]) /= two mulr0.
 have simp := (mul0r, mulr0, mul1r, mulr1, addr0, add0r, subr0, sub0r, divr1, subrr, oppr0).
 split; last first.
-  move=> /rowP/(_ 0); rewrite !mxE /= /step /shift /bez /coord /c /d !mxE /= !simp => /eqP.
+  move=> /rowP/(_ 0); rewrite !mxE /= /step /shift /step01 /coord /c /d !mxE /= !simp => /eqP.
   by rewrite oner_eq0.
-apply/rowP=> k; rewrite !mxE /= /step /shift /polys /bez /coord /c /d !mxE /= ?polyC1 ?polyC0 !simp.
+apply/rowP=> k; rewrite !mxE /= /step /shift /polys /step01 /coord /c /d !mxE /= ?polyC1 ?polyC0 !simp.
 by rewrite [X in _ + X]mulrC t0.
 Qed.
 

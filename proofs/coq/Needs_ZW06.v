@@ -2,13 +2,7 @@
    Definitions:
      tip n, zero      the points of a line 0, ..., 0, 1, 0, ..., the n-th is 1, and the points 0
      chosen k         the points C(i, k) of a line: their Bezier curve is C(n, k) u^k *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier ZW06 ZW06_cases ZW06_nets ZW06_system FJ21_4 Needs_blossoms Needs_FJ07 Needs_FJ07_curves.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier ZW06 ZW06_cases ZW06_nets ZW06_system FJ21_4 Needs_blossoms Needs_FJ07 Needs_FJ07_curves.
 
 Section Functions.
 Variable F : fieldType.

@@ -1,11 +1,5 @@
 (* ZW06, the method as a linear system: what happens without the hypotheses of the theorems, one counterexample each. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier BZZ19_4 ZW06 ZW06_system Needs_FJ07 Needs_ZW06.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier BZZ19_4 ZW06 ZW06_system Needs_FJ07 Needs_ZW06.
 
 Section Needs.
 Variable F : fieldType.

@@ -2,13 +2,7 @@
    Definitions:
      listed s i       member i of the list s of numbers
      bent             the knots 0, 1, 0, 0 of degree 2: of the denominators of the steps only u_2 - u_0 vanishes *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points.
 
 Section Blossoms.
 Variable F : fieldType.

@@ -6,13 +6,7 @@
      x_ p, y_ p, z_ p       the coordinates of a point of space
      triple a b c           the determinant [a, b, c];  cross a b;  dot a b
      developable c d        [d', c', d - c] is the zero polynomial *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves.
 
 Section Vectors.
 Variables (R : comUnitRingType) (m : nat).
@@ -45,7 +39,29 @@ Qed.
 Lemma tripleE a b c : triple a b c =
   x_ a * (y_ b * z_ c - z_ b * y_ c) + y_ a * (z_ b * x_ c - x_ b * z_ c) + z_ a * (x_ b * y_ c - y_ b * x_ c).
 Proof. by rewrite /triple /dot /cross /x_ /y_ /z_ /vec !mxE. Qed.
+
+(* Sums and multiples of points given by their coordinates: quicker than entry by entry. *)
+Section Coordinates.
+Variables s p q r x y z : R.
+
+Lemma vec0 : 0 = vec 0 0 0.
+Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
+
+Lemma vecD : vec p q r + vec x y z = vec (p + x) (q + y) (r + z).
+Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
+
+Lemma vecN : - vec x y z = vec (- x) (- y) (- z).
+Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
+
+Lemma vecZ : s *: vec x y z = vec (s * x) (s * y) (s * z).
+Proof. by apply: row3P; rewrite /x_ /y_ /z_ !mxE. Qed.
+
+Lemma coords : vec p q r = vec x y z -> [/\ p = x, q = y & r = z].
+Proof. by move=> /rowP e; have := (e (@Ordinal 3 0 isT), e (@Ordinal 3 1 isT), e (@Ordinal 3 2 isT)); rewrite !mxE => -[[]]. Qed.
+End Coordinates.
 End Space.
+
+Notation vecE := (vecZ, vecN, vecD).
 
 (* vector_identity: an identity of row vectors or determinants of space, coordinate by coordinate. *)
 Ltac coordinates := rewrite ?tripleE /dot /cross /x_ /y_ /z_ /vec ?mxE /=.

@@ -4,13 +4,7 @@
      local_arg a b x        the argument x of the parameter s taken at (1 - s) a + s b
      segment a b n u c i    the blossom value c[a, ..., a, b, ..., b]: the Bezier point i of the piece on [a, b]
      psegment               the same for points *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier.
 
 Lemma map_all (T : eqType) (S : Type) (f : T -> S) (y : S) (s : seq T) : {in s, forall x, f x = y} -> map f s = nseq (size s) y.
 Proof.

@@ -4,13 +4,7 @@
      rate n p i       the points (n-i) (p_{i+1} - p_i) + i (p_i - p_{i-1}) of a' in degree n
      gap p tau rho s i   what Aumann's equation (20) lacks at the cell i
      mean_step p i    A_i of ZW06.16, the sum of (j+1) (p_{j+1} - p_j) over j <= i, divided by (i+1)(i+2) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Dependence Bernstein Bezier.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Dependence Bernstein Bezier.
 
 Section Condition.
 Variable F : fieldType.

@@ -1,13 +1,7 @@
 (* ZW06: the three types of developable surfaces a(u) + v tau(u): cylinders, cones, tangent surfaces; equations (6) to (15).
    Definitions:
      regression p w b     the curve a_1 = a(u) - b(u) tau(u) of equation (8) *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Dependence Bernstein Bezier BZZ19_4 FJ21_4 ZW06.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Dependence Bernstein Bezier BZZ19_4 FJ21_4 ZW06.
 
 Section Wronskian.
 Variable F : fieldType.

@@ -2,13 +2,7 @@
    as those of FJ07.
    Definitions:
      edges p i    p_i - p_{i-1} *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier ZW06 FJ07_3_net FJ07_3_blossoms.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier ZW06 FJ07_3_net FJ07_3_blossoms.
 
 Section Nets.
 Variables (F : fieldType) (m : nat).
@@ -119,7 +113,7 @@ Qed.
 Theorem ZW06_20_blossoms n p tau rho s (q := fun i => p i + tau i)
     (a := (n%:R * (1 - s) / (rho - 1))%:P) (b := (rho - 1)^-1%:P * (1 - 'X + s%:P * 'X)) : good F n -> rho - 1 != 0 -> 1 - s != 0 ->
   pderiv (pbez n p) = a *: pbez n tau + b *: pderiv (pbez n tau) <->
-  related (FJ07_3_blossoms.bez F n) n (rho / (1 - s)) (1 - s)^-1 p q.
+  related (step01 F n) n (rho / (1 - s)) (1 - s)^-1 p q.
 Proof.
 move=> g nr ns; rewrite ZW06_19_aumann // FJ07_C1_blossoms.
 by split=> h i /h; rewrite -/(q _) -?ZW06_20_fj07 //; move/(iffRL (ZW06_20_fj07 _ _ _ _ ns)).

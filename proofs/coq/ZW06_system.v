@@ -2,13 +2,7 @@
    Definitions:
      column n a b i    the polynomial a B_i + b B_i': the column of the unknown tau_i
      solves n p a b tau   a' = a tau + b tau' for the Bezier curves of the points p and tau *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier BZZ19_4 ZW06 ZW06_cases.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier BZZ19_4 ZW06 ZW06_cases.
 
 Section System.
 Variables (F : fieldType) (m : nat).

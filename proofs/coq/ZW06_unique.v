@@ -2,13 +2,7 @@
    Definitions:
      system n a b    the matrix of the system in degree n: the Bernstein coefficients of a B_i + b B_i', row j and column i
      in_powers n     the coefficients of the B_i, row k and column i *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier BZZ19_4 ZW06 ZW06_system ZW06_square.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier BZZ19_4 ZW06 ZW06_system ZW06_square.
 
 Section Unique.
 Variables (F : fieldType) (m : nat).
