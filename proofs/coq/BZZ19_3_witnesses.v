@@ -38,7 +38,9 @@ rewrite /C1 /C2 after_X; split.
     by rewrite polyC0 polyC1 addr0 addrC addKr.
   by rewrite /crossing !pderiv_vec tripleE !vec_xyz !derivD !derivC; ring.
 - by move=> t; rewrite /crossing pderiv_vec ev_vec vec_xyz polyC0 addr0 derivM [(crossing_tau + 1)^`()]derivD slope_tau !derivC mul0r add0r addr0 !hornerE mulrC.
-rewrite /ruled_surface !after_X /crossing !ev_vec /crossing_y /crossing_x; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE ?tau_at /=; field; rewrite ?pnatr_eq0 //.
+have [before behind] : crossing_tau.[1 / 6%:R] = -1 /\ crossing_tau.[5%:R / 6%:R] = 1 by rewrite !tau_at; split; field; rewrite ?pnatr_eq0.
+rewrite /ruled_surface !after_X /crossing !ev_vec !vecE /crossing_y /crossing_x.
+move: crossing_tau before behind => tau; rewrite mul1r => before behind; congr vec; rewrite !hornerE /= before behind; field; rewrite ?pnatr_eq0 //.
 Qed.
 
 (** BZZ19.5.witnesses regression: (b) $C_1=r+r'$, $C_2=r-r'$ for $r=(\tau,\tau^2,\tau^3)$, $\tau=2+t$, and $\sigma(t)=t$: exactly developable, and

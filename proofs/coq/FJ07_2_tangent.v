@@ -19,7 +19,8 @@ Qed.
 Theorem FJ07_7_edge C lam v :
   normal (pderiv C) (pderiv (C + lam *: pderiv C)) (lam *: pderiv C) v = (v * lam ^+ 2) *: cross (pderiv (pderiv C)) (pderiv C).
 Proof.
-by apply: row3P; rewrite /normal /pderiv; coordinates; rewrite !derivD !derivM; hide_entries; move: lam^`() => l; ring.
+have -> : pderiv (C + lam *: pderiv C) = pderiv C + (lam^`() *: pderiv C + lam *: pderiv (pderiv C)) by apply/rowP=> k; rewrite !mxE derivD derivM.
+by rewrite /normal; move: (pderiv (pderiv C)) (pderiv C) lam^`() => a b l; apply: row3P; coordinates; hide_entries; ring.
 Qed.
 
 End Tangent.

@@ -19,8 +19,8 @@ Theorem FJ07_21_coefficients v w x (nrm := cross v w) : triple v w nrm != 0 -> t
   x = along v w nrm x *: v + beside v w nrm x *: w.
 Proof.
 move=> nz par; apply: (scalerI nz); rewrite scalerDr !scalerA /along /beside ![_ * (_ / _)]mulrC !divfK //.
-have cramer : triple v w nrm *: x = triple x w nrm *: v + triple v x nrm *: w + triple x v w *: nrm.
-  by rewrite /nrm; apply: row3P; coordinates; ring.
+have cramer e : triple v w e *: x = triple x w e *: v + triple v x e *: w + triple x v w *: e.
+  by apply: row3P; coordinates; hide_entries; ring.
 by rewrite cramer par scale0r addr0.
 Qed.
 

@@ -66,7 +66,13 @@ Lemma det_points (L : fieldType) (p q r s : 'rV[L]_4) (c := fun x : 'rV[L]_4 => 
   \det (rows4 p q r s) = weight p * weight q * weight r * weight s * triple (c q - c p) (c r - c p) (c s - c p).
 Proof.
 rewrite det_rows4 /c; move: (weight p) (weight q) (weight r) (weight s) (place p) (place q) (place r) (place s).
-move=> wp wq wr ws P Q R S p0 q0 r0 s0; coordinates; hide_entries; by field; rewrite p0 q0 r0 s0.
+have e (w : L) (x : 'rV[L]_3) : w != 0 -> x = w *: (w^-1 *: x) by move=> w0; rewrite scalerA mulfV // scale1r.
+move=> wp wq wr ws P Q R S /e-/(_ P) eP /e-/(_ Q) eQ /e-/(_ R) eR /e-/(_ S) eS; move: eP eQ eR eS.
+move: (wp^-1 *: P) (wq^-1 *: Q) (wr^-1 *: R) (ws^-1 *: S) => p' q' r' s' -> -> -> ->.
+have scaled (i j k : L) (x y z : 'rV[L]_3) : triple (i *: x) (j *: y) (k *: z) = i * j * k * triple x y z by coordinates; hide_entries; ring.
+have moved (x y z w : 'rV[L]_3) : triple (y - x) (z - x) (w - x) = triple y z w - triple x z w + triple x y w - triple x y z.
+  by coordinates; hide_entries; ring.
+by rewrite !scaled moved; ring.
 Qed.
 
 Definition coplanar (L : idomainType) (a b c d : 'rV[L]_3) :=
@@ -104,21 +110,21 @@ Theorem FJ21_3_2_derivative n u c a b (p := pcurve n u c) (p0 := last_point n u 
   span n u -> a != b -> weight p != 0 -> weight p0 != 0 -> weight p1 != 0 ->
   pfderiv (affine p) = ((n%:R * weight p0 * weight p1)%:F / ((b - a)%:P * weight p ^+ 2)%:F) *: (affine p1 - affine p0).
 Proof.
-move=> sp ab w0; rewrite pfderiv_affine // pderiv_curve // -/p; case: (posnP n) => [n0|n0].
+move=> sp ab w0; rewrite pfderiv_affine // pderiv_curve //; case: (posnP n) => [n0|n0].
   have -> : n%:R = 0 :> {poly F} by rewrite n0.
   have -> : pvelocity n u c *+ n = 0 by rewrite [in _ *+ n]n0 mulr0n.
   move=> _ _; rewrite !mul0r scale0r; apply/rowP=> k; rewrite /weight /place /pfun !mxE ?tofrac0.
   by rewrite ?(mulr0, mul0r, subr0).
-rewrite /p0 /p1 !last_pointE // => a0 b0.
+rewrite {}/p0 {}/p1 !last_pointE // -/p; move: (pvelocity n u c) => q; clearbody p => a0 b0.
 have h0 : ((b - a)%:P)%:F != 0 :> K by rewrite tofrac_eq0 polyC_eq0 subr_eq0 eq_sym.
 have eh : (b%:P - 'X)%:F - (a%:P - 'X)%:F = ((b - a)%:P)%:F :> K.
   by rewrite -tofracB polyCB opprB addrA subrK.
-pose w := p 0 0; pose v := pvelocity n u c 0 0.
+pose w := p 0 0; pose v := q 0 0.
 have w0' : w%:F != 0 by rewrite tofrac_eq0.
-have a0' : w%:F + (a%:P - 'X)%:F * v%:F != 0 by move: a0; rewrite -tofracM -tofracD tofrac_eq0 /w /v /p /weight !mxE.
-have b0' : w%:F + (b%:P - 'X)%:F * v%:F != 0 by move: b0; rewrite -tofracM -tofracD tofrac_eq0 /w /v /p /weight !mxE.
-apply/rowP=> k; have := quotient_step (p 0 (lift ord0 k))%:F (pvelocity n u c 0 (lift ord0 k))%:F n w0' a0' b0' h0 eh.
-rewrite /affine /weight /place /w /v /p !mxE !mulmxnE !mxE; move: (a%:P - 'X) (b%:P - 'X) => x y e.
+have a0' : w%:F + (a%:P - 'X)%:F * v%:F != 0 by move: a0; rewrite -tofracM -tofracD tofrac_eq0 /w /v /weight !mxE.
+have b0' : w%:F + (b%:P - 'X)%:F * v%:F != 0 by move: b0; rewrite -tofracM -tofracD tofrac_eq0 /w /v /weight !mxE.
+apply/rowP=> k; have := quotient_step (p 0 (lift ord0 k))%:F (q 0 (lift ord0 k))%:F n w0' a0' b0' h0 eh.
+rewrite /affine /weight /place /w /v !mxE !mulmxnE; move: (a%:P - 'X) (b%:P - 'X) => x y e.
 by rewrite !(tofracM, tofracD, tofracX, tofracMn) tofrac1.
 Qed.
 

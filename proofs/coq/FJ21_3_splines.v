@@ -68,6 +68,49 @@ Proof. by rewrite mxE. Qed.
 Lemma row4Z (R : ringType) (x a b c d : R) : x *: row4 a b c d = row4 (x * a) (x * b) (x * c) (x * d).
 Proof. by apply/rowP=> -[[|[|[|[|//]]]] lt_k]; rewrite !mxE. Qed.
 
+(* In degree 1 the relation on a piece is an equation of numbers for each coordinate; the field of the functions has the numbers f x. *)
+Notation cells f u c d k L M s := (let e (h : 'I_4) := (f (u k.+1) - L) * f (c k 0 h) + (L - f (u k)) * f (c k.+1 0 h)
+  = s * ((f (u k.+1) - M) * f (d k 0 h) + (M - f (u k)) * f (d k.+1 0 h)) in [/\ e 0, e 1, e 2%:R & e 3%:R]).
+
+Section Examples.
+Variables (F E : fieldType) (f : {rmorphism F -> E}).
+Implicit Types L M s : E.
+Let u i : F := i%:R.
+Let c := nth (0 : 'rV[F]_4) [:: row4 1 0 0 0; row4 1 1 0 2%:R; row4 2%:R 3%:R 1 0].
+Let d := nth (0 : 'rV[F]_4) [:: row4 1 0 1 1; 10%:R^-1 *: row4 9%:R 3%:R 8%:R 14%:R; 20%:R^-1 *: row4 (- 13%:R) (- 61%:R) (- 6%:R) 82%:R].
+
+Lemma cells_first L M s : 10%:R != 0 :> F -> cells f u c d 0%N L M s <-> [/\ L = 3%:R, M = 5%:R & s = 2%:R].
+Proof.
+rewrite -(fmorph_eq0 f) rmorph_nat => n10; rewrite /u /c /d /= !row4Z !row4_nth /= !(rmorphM, fmorphV, rmorph_nat, rmorph0, rmorph1).
+exact: first_cell.
+Qed.
+
+Lemma cells_second L M s : 70%:R != 0 :> F -> cells f u c d 1%N L M s <-> [/\ L = 4%:R, M = -1 & s = 1].
+Proof.
+rewrite -(fmorph_eq0 f) rmorph_nat => n70; rewrite /u /c /d /= !row4Z !row4_nth /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1).
+exact: second_cell.
+Qed.
+
+Lemma cells_seven : 7%:R = 0 :> F -> cells f u c d 1%N 2%:R 1 3%:R.
+Proof.
+rewrite /u /c /d /= !row4Z !row4_nth /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1) => /(congr1 f); rewrite rmorph0 rmorph_nat => n7.
+have n10 : 10%:R != 0 :> E.
+  by apply/eqP=> n10; have /eqP := oner_neq0 E; apply; apply: (by_multiple (z := 1) (congr2 (fun x y => 3%:R * x - 2%:R * y) n7 n10)); ring.
+by rewrite !subrr !mul0r !addr0 !add0r; split; apply: (mulfI n10); [apply: (by_multiple (z := -1) n7) | apply: (by_multiple (z := 3%:R) n7) | apply: (by_multiple (z := - 2%:R) n7) | apply: (by_multiple (z := - 6%:R) n7)];
+  field; exact: n10.
+Qed.
+
+Let a := nth (0 : 'rV[F]_4) [:: row4 1 0 0 0; row4 1 1 0 0; row4 1 2%:R 0 1].
+Let b := nth (0 : 'rV[F]_4) [:: row4 1 0 1 0; row4 1 0 2%:R 0; row4 1 0 4%:R 1].
+
+Lemma cells_pieces : [/\ cells f u a b 0%N 0 (-1) 1, cells f u a b 1%N 0 0 1
+  & forall L M s, ~ (cells f u a b 0%N L M s /\ cells f u a b 1%N L M s)].
+Proof.
+rewrite /u /a /b /= !row4_nth /= !(rmorph_nat, rmorph0, rmorph1); split=> [||L M s]; [by split; ring | by split; ring |].
+by case=> -[s1 _ h2 _] [_ l1 _ g3]; exact: no_common_triple s1 h2 l1 g3.
+Qed.
+End Examples.
+
 Section Splines.
 Variable F : fieldType.
 Notation K := {fraction {poly F}}.
@@ -113,16 +156,13 @@ move=> e; rewrite /ftangent pcurve1 // !mxE divr1 !(derivD, derivN, derivM, deri
 exact: tangent_of_line.
 Qed.
 
-(* In degree 1 the relation on a piece is an equation of numbers for each coordinate; numbers are rational functions by f. *)
-Lemma cells1 : exists f : {rmorphism F -> K}, forall u (c d : nat -> 'rV[F]_4) k L M s
-    (e := fun h : 'I_4 => (f (u k.+1) - L) * f (c k 0 h) + (L - f (u k)) * f (c k.+1 0 h)
-                       = s * ((f (u k.+1) - M) * f (d k 0 h) + (M - f (u k)) * f (d k.+1 0 h))), u k.+1 - u k = 1 ->
-  frelated 1 (pcurve 1 (drop_ k u) (drop_ k c)) (pcurve 1 (drop_ k u) (drop_ k d)) L M s <-> [/\ e 0, e 1, e 2%:R & e 3%:R].
+Lemma cellsP : exists f : {rmorphism F -> K}, forall u (c d : nat -> 'rV[F]_4) k L M s, u k.+1 - u k = 1 ->
+  frelated 1 (pcurve 1 (drop_ k u) (drop_ k c)) (pcurve 1 (drop_ k u) (drop_ k d)) L M s <-> cells f u c d k L M s.
 Proof.
-exists phi => u c d k L M s e.
+exists phi => u c d k L M s uk; set e := (fun h : 'I_4 => _ = _ :> K).
 have at0 (T : Type) (g : nat -> T) : drop_ k g 0%N = g k by rewrite /drop_ addn0.
 have at1 (T : Type) (g : nat -> T) : drop_ k g 1%N = g k.+1 by rewrite /drop_ addn1.
-move=> uk; have eE h : e h <-> ftangent 1 (pcurve 1 (drop_ k u) (drop_ k c)) L 0 h
+have eE h : e h <-> ftangent 1 (pcurve 1 (drop_ k u) (drop_ k c)) L 0 h
     = s * ftangent 1 (pcurve 1 (drop_ k u) (drop_ k d)) M 0 h.
   by rewrite /e !ftangent1 !at0 !at1.
 have {}eE h : e h <-> ftangent 1 (pcurve 1 (drop_ k u) (drop_ k c)) L 0 h
@@ -147,10 +187,9 @@ Theorem FJ21_T3_2_pieces_example (u := fun i => i%:R : F)
   (frelated 1 (p 1%N) (q 1%N) L M s <-> [/\ L = 4%:R, M = -1 & s = 1]).
 Proof.
 move=> n70; have n10 : 10%:R != 0 :> F by move: n70; rewrite (natrM _ 7 10) mulf_eq0 negb_or => /andP[].
-have nK := natrF0 n70; have nK' := natrF0 n10.
 have [u0 u1] : u 1%N - u 0%N = 1 /\ u 2%N - u 1%N = 1 by rewrite /u subr0 -natrB.
-have [f cells] := cells1; rewrite !cells // /u /c /d /= !row4Z !row4_nth /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1).
-by split; [exact: first_cell|exact: second_cell].
+have [f e] := cellsP; split; first exact: iff_trans (e u c d 0%N L M s u0) (cells_first f L M s n10).
+exact: iff_trans (e u c d 1%N L M s u1) (cells_second f L M s n70).
 Qed.
 
 (** FJ21.T3.2.pieces example_needs_seven: in characteristic 7 the second piece has other triples too, such as $2,1,3$.
@@ -160,14 +199,8 @@ Theorem FJ21_T3_2_pieces_example_needs_seven (u := fun i => i%:R : F)
     (d := nth (0 : 'rV[F]_4) [:: row4 1 0 1 1; 10%:R^-1 *: row4 9%:R 3%:R 8%:R 14%:R; 20%:R^-1 *: row4 (- 13%:R) (- 61%:R) (- 6%:R) 82%:R]) : 7%:R = 0 :> F ->
   frelated 1 (pcurve 1 (drop_ 1 u) (drop_ 1 c)) (pcurve 1 (drop_ 1 u) (drop_ 1 d)) 2%:R 1 3%:R.
 Proof.
-move=> n7; have n10 : 10%:R != 0 :> F.
-  by apply/eqP=> n10; have /eqP := oner_neq0 F; apply; apply: (by_multiple (z := 1) (congr2 (fun x y => 3%:R * x - 2%:R * y) n7 n10)); ring.
 have u1 : u 2%N - u 1%N = 1 by rewrite /u -natrB.
-have [f cells] := cells1; apply/cells => //; rewrite /u /c /d /= !row4Z !row4_nth /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1).
-have {n7} n7 : 7%:R = 0 :> K by rewrite -(rmorph_nat f) n7 rmorph0.
-have {n10} n10 : 10%:R != 0 :> K by rewrite -(rmorph_nat f) fmorph_eq0.
-by rewrite !subrr !mul0r !addr0 !add0r; split; apply: (mulfI n10); [apply: (by_multiple (z := -1) n7) | apply: (by_multiple (z := 3%:R) n7) | apply: (by_multiple (z := - 2%:R) n7) | apply: (by_multiple (z := - 6%:R) n7)];
-  field; exact: n10.
+by have [f e] := cellsP => n7; exact/(e u c d 1%N _ _ _ u1)/cells_seven.
 Qed.
 
 (** FJ21.T3.2 needs_pieces: one triple for the whole spline is not necessary: for $n=1$ on the knots $0,1,2$ the rows
@@ -180,10 +213,7 @@ Theorem FJ21_T3_2_needs_pieces (u := fun i => i%:R : F)
     & forall L M s, ~ (frelated 1 (p 0%N) (q 0%N) L M s /\ frelated 1 (p 1%N) (q 1%N) L M s)].
 Proof.
 have [u0 u1] : u 1%N - u 0%N = 1 /\ u 2%N - u 1%N = 1 by rewrite /u subr0 -natrB.
-have [f cells] := cells1; rewrite /p /q; split; [apply/cells => // | apply/cells => // | move=> L M s [/cells-/(_ u0) + /cells-/(_ u1)]];
-  rewrite /u /c /d /= !row4_nth /= !(rmorph_nat, rmorph0, rmorph1).
-- by split; ring.
-- by split; ring.
-by case=> s1 _ h2 _ [_ l1 _ g3]; exact: no_common_triple s1 h2 l1 g3.
+have [f e] := cellsP; have [e0 e1 none] := cells_pieces f.
+split=> [||L M s [/(e u c d 0%N _ _ _ u0) r0 /(e u c d 1%N _ _ _ u1) r1]]; [exact/(e u c d 0%N _ _ _ u0) | exact/(e u c d 1%N _ _ _ u1) | exact: none (conj r0 r1)].
 Qed.
 End Splines.

@@ -85,6 +85,15 @@ have e x : ((n.+1%:R * x - t) / n%:R - t) / n.+1%:R = (x - t) / n%:R.
 by rewrite !e.
 Qed.
 
+Lemma by_entry (v w x y : 'rV[F]_m) : (forall k, v 0 k = w 0 k <-> x 0 k = y 0 k) -> v = w <-> x = y.
+Proof. by move=> e; split=> /rowP h; apply/rowP=> k; apply/e. Qed.
+
+Lemma multiple (z x y l r : F) : z != 0 -> x - y = z * (l - r) -> x = y <-> l = r.
+Proof.
+move=> z0 e; split=> h; apply/eqP; rewrite -subr_eq0; last by rewrite e h subrr mulr0.
+by apply/eqP/(mulfI z0); rewrite mulr0 -e h subrr.
+Qed.
+
 (** FJ21.5.4 rulings: for $\tilde p=fp$, $\tilde q=fp+g(q-p)$ with $f,g$ of degree one a relation $\tilde\Lambda,\tilde M,\tilde\sigma$ in degree $n+1$ is one in
     degree $n$ with $\Lambda=\frac{f(\tilde\Lambda)t+nf(t)\tilde\Lambda+\tilde\sigma(n\tilde M(g(t)-f(t))+t(g(\tilde M)-f(\tilde M)))}H$,
     $M=\frac{g(\tilde M)t+ng(t)\tilde M}G$, $\sigma=\tilde\sigma\frac GH$, where $G=ng(t)+g(\tilde M)$,
@@ -99,12 +108,11 @@ Theorem FJ21_5_4_rulings n p q t L M s a b a' b' (f := linear a b) (g := linear 
     ((g.[M] * t + n%:R * g.[t] * M) / G) (s * G / H).
 Proof.
 move=> n0 n1; rewrite /H /G /f /g !FJ21_5.linearE => g0 h0; move: n1; rewrite natrS /related_at /tangent => n1.
-split=> /rowP eq_p; apply/rowP=> k; have := eq_p k;
-  rewrite !mxE /linear !(derivD, derivN, derivM, derivZ, derivC, derivX) !(hornerD, hornerN, hornerM, hornerC, hornerZ, hornerX) ?natrS;
-  move: (p 0 k).[t] (q 0 k).[t] (p 0 k)^`().[t] (q 0 k)^`().[t] n%:R n0 n1 h0 g0 => P Q P' Q' N n0 n1 h0 g0 eq_P.
-  apply: (by_multiple (z := (N + 1) / (a + b * L + N * (a + b * t) + s * (a' + b' * M - (a + b * M) + N * (a' + b' * t - (a + b * t))))) eq_P).
-  by field; rewrite n0 n1 h0 g0.
-apply: (by_multiple (z := (a + b * L + N * (a + b * t) + s * (a' + b' * M - (a + b * M) + N * (a' + b' * t - (a + b * t)))) / (N + 1)) eq_P).
+apply: by_entry => k.
+rewrite !mxE /linear !(derivD, derivN, derivM, derivZ, derivC, derivX) !(hornerD, hornerN, hornerM, hornerC, hornerZ, hornerX) ?natrS.
+move: (p 0 k).[t] (q 0 k).[t] (p 0 k)^`().[t] (q 0 k)^`().[t] n%:R n0 n1 h0 g0 => P Q P' Q' N n0 n1 h0 g0.
+apply: (multiple (z := (a + b * L + N * (a + b * t) + s * (a' + b' * M - (a + b * M) + N * (a' + b' * t - (a + b * t)))) / (N + 1))).
+  by rewrite mulf_neq0 ?invr_neq0.
 by field; rewrite n0 n1 h0 g0.
 Qed.
 End Lengths.

@@ -111,8 +111,9 @@ Lemma cusp_singular (c := vec 'X^2 'X^3 0) (d := vec 'X^2 'X^3 (('X + 1) ^+ 3)) 
   forall v, cross ((1 - v) *: ev (pderiv c) 0 + v *: ev (pderiv d) 0) (ev d 0 - ev c 0) = 0.
 Proof.
 rewrite /c /d => n3; split=> [t|v].
-  apply: related_vec => //; rewrite deriv_exp derivD derivX !derivC addr0 mul1r !hornerE /=.
-  by field.
+  apply: related_vec => //; rewrite deriv_exp derivD derivX !derivC addr0 mul1r !hornerE /= -opprD [1 + t]addrC.
+  move: (t + 1) => x; have -> : x * x + x * x + x * x = 3%:R * (x * x) by ring.
+  by move: (x * x) 3%:R n3 => y k k0; field.
 have d0 k : ('X^k.+2)^`().[0] = 0 :> F by rewrite derivXn hornerMn hornerXn exprS mul0r mul0rn.
 by rewrite !pderiv_vec !ev_vec; apply: row3P; rewrite !crossE; coordinates; rewrite !d0; ring.
 Qed.
@@ -129,8 +130,10 @@ Qed.
 
 Lemma tangent_sides t L M : 2%:R != 0 :> F -> related_at 2 (tangent_side M) (tangent_side L) t L M 1.
 Proof.
-move=> n2; rewrite /related_at /tangent scale1r !(tangent_side_at _ _).1 !(tangent_side_at _ _).2.
-by apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /=; field.
+move=> n2; rewrite /related_at /tangent scale1r !(tangent_side_at _ _).1 !(tangent_side_at _ _).2 !vecE.
+have half x : x = t + 2%:R * ((x - t) / 2%:R) by rewrite mulrC divfK // addrC subrK.
+move: (half L) (half M); move: ((L - t) / 2%:R) ((M - t) / 2%:R) => x y -> ->.
+by congr vec; ring.
 Qed.
 
 (* The normal at (0, v) of the surface between the rows for x and y. *)

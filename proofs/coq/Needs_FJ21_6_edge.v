@@ -29,8 +29,10 @@ Qed.
 Theorem FJ21_T6_1_frame_needs_distinct n M lam mu nu (r := jet e1 e2) : n%:R != 0 :> F -> n.+1%:R != 0 :> F ->
   ~ frame (patch n r M) (patch n r M) 0 lam mu nu.
 Proof.
-move=> n0 n1; rewrite /frame subrr => /rowP e; have := (e (@Ordinal 3 0 isT), e (@Ordinal 3 1 isT)).
-rewrite !mxE /= !(derivD, derivM, derivZ, derivN, derivX, derivC, hornerE, linear0, horner0) /= => -[h0 h1].
+move=> n0 n1; have [p0 p1] : patch n r M 0 (@Ordinal 3 0 isT) = 1 /\ patch n r M 0 (@Ordinal 3 1 isT) = 'X + n.+1%:R^-1 *: (M%:P - 'X).
+  by split; rewrite /r /jet !mxE /= derivD derivM derivX !derivC !(mulr0, addr0, mulr1, mul1r, add0r, polyC1).
+move: (patch n r M) p0 p1 => p p0 p1; rewrite /frame subrr => /rowP e; have := (e (@Ordinal 3 0 isT), e (@Ordinal 3 1 isT)); rewrite !mxE p0 p1.
+rewrite -polyC1 !(derivD, derivZ, derivN, derivX, derivC, hornerE, linear0, horner0) /= => -[h0 h1].
 have nu0 : nu = 0 by apply: (by_multiple (z := -1) h0); ring.
 move: h1; rewrite nu0 => h1; case/eqP: n0; apply: (by_multiple (z := n.+1%:R) h1).
 by move: n1; rewrite natrS; move: (n%:R) => N n1; field.

@@ -80,11 +80,8 @@ Hypothesis start : d K = \row_k rational (dK k).
 Local Notation v := (fun i => rational (u i)).
 Local Notation c_ k := (fun i => rational (c i k)).
 
-(** rounding.binary32 net: the vertex $J\ge K$ that the library computes in singles from the vertex $K$ has in each coordinate an error of at most
-    $u|d_J|+(1+u)\bigl(\gamma_{5(J-K)+1}|P(K,J)||d_K-c_K|
-    +|\Lambda^{*}-M^{*}|\sum_{i=K}^{J-1}\gamma_{5(J-i)+1}|P(i+1,J)|\frac{|c_{i+1}-c_i|}{|M^{*}-u_i|}\bigr)$ with $u=2^{-24}$, where $d$ is the exact row (13).
-    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and the knots $u_K,\dots,u_{J-1}$ are finite; each computed product and quotient on the way is at
-    least $2^{-126}$ in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
+(** rounding.binary32 net: the bound of `rounding.binary64` net holds for the vertex $J\ge K$ that the library computes in singles, with $u=2^{-24}$.
+    Hypotheses: as there, with $2^{-126}$ in the place of $2^{-1022}$. *)
 Theorem rounding_binary32_net k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 ->
   (forall i, (K <= i < J)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
   upwards u n (c^~ k) K (fun near far p => survives L M near far p (dK k) (J - K)) ->
@@ -92,9 +89,7 @@ Theorem rounding_binary32_net k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 -
     <= eps * `|d J 0 k| + (1 + eps) * bound_up eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
 Proof. exact: (rounding_binary_net start). Qed.
 
-(** rounding.binary32 net_down: the vertex $J\le K$ has in each coordinate an error of at most
-    $u|d_J|+(1+u)\bigl(\gamma_{5(K-J)+1}|P(J,K)|^{-1}|d_K-c_K|
-    +|\Lambda^{*}-M^{*}|\sum_{i=J}^{K-1}\gamma_{5(i+1-J)+1}|P(J,i)|^{-1}\frac{|c_{i+1}-c_i|}{|M^{*}-u_{i+n}|}\bigr)$ with $u=2^{-24}$.
+(** rounding.binary32 net_down: the same for $J\le K$, with the bound of `rounding.binary64` net_down.
     Hypotheses: as upwards, with the knots $u_{J+n},\dots,u_{K-1+n}$. *)
 Theorem rounding_binary32_net_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps < 1 ->
   (forall i, (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
@@ -103,19 +98,15 @@ Theorem rounding_binary32_net_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps 
     <= eps * `|d J 0 k| + (1 + eps) * bound_down eps v n (rational L) (rational M) (c_ k) (rational (dK k)) K J.
 Proof. exact: (rounding_binary_net_down start). Qed.
 
-(** rounding.binary32 printed: the vertex $J\ge K$ that the library computes in singles from the vertex $K$ as (13) stands has in each coordinate an error of at most
-    $\gamma_{5(J-K)}|P(K,J)||d_K|+\sum_{i=K}^{J-1}\gamma_{5(J-i)+1}\frac{|P(i+1,J)|}{|M^{*}-u_i|}\bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-24}$.
-    Hypotheses: $(5(J-K)+1)u<1$; the computed $d_J$ and the computed $M^{*}-u_i$, $K\le i<J$, are finite; each computed product and quotient on the way is at least
-    $2^{-126}$ in size, unless a factor of it, or the dividend, is zero. That $M^{*}$ is none of these knots follows. *)
+(** rounding.binary32 printed: the bound of `rounding.binary64` printed holds for the vertex $J\ge K$ that the library computes in singles as (13) stands, with $u=2^{-24}$.
+    Hypotheses: as there, with $2^{-126}$ in the place of $2^{-1022}$. *)
 Theorem rounding_binary32_printed k : (K <= J)%N -> (5 * (J - K) + 1)%:R * eps < 1 ->
   (forall i, (K <= i < J)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
   printed_up u n L M (c^~ k) K (fun b h s o p q => survives_printed b h s o p q (dK k) (J - K)) ->
   `|rational (printed_from singles u n L M (c^~ k) (dK k) K J) - d J 0 k| <= printed_bound_up rational eps u n L M c dK K J k.
 Proof. exact: (rounding_binary_printed start). Qed.
 
-(** rounding.binary32 printed_down: the vertex $J\le K$ has in each coordinate an error of at most
-    $\gamma_{5(K-J)}|P(J,K)|^{-1}|d_K|+\sum_{i=J}^{K-1}\gamma_{5(i+1-J)+1}\frac{|P(J,i)|^{-1}}{|M^{*}-u_{i+n}|}
-    \bigl(|u_{i+n}-\Lambda^{*}||c_i|+|\Lambda^{*}-u_i||c_{i+1}|\bigr)$ with $u=2^{-24}$.
+(** rounding.binary32 printed_down: the same for $J\le K$, with the bound of `rounding.binary64` printed_down.
     Hypotheses: as upwards, with the computed $u_{i+n}-M^{*}$, $J\le i<K$. *)
 Theorem rounding_binary32_printed_down k : (J <= K)%N -> (5 * (K - J) + 1)%:R * eps < 1 ->
   (forall i, (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
