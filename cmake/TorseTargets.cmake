@@ -10,7 +10,7 @@
 #   torse_tests(TARGET FOLDER LINK ...)        one GoogleTest program of FOLDER/**/*.cpp, each test known to ctest
 #   torse_fuzz_targets(FOLDER CORPUS LINK ...) one program for each file, on which ctest runs its corpus; with libFuzzer 2 seconds more
 #   torse_benchmarks(FOLDER LINK ...)          one program for each file
-#   torse_comparison(TARGET FOLDER LINK ...)   a program that only ./x coq builds
+#   torse_comparison(TARGET FOLDER SOURCE... LINK ...)   a program that only ./x coq builds, with no more of the libraries than it needs
 #   torse_peer(BENCHMARK NAME)                 a library to compare with, where it is found
 
 function(torse_link_headers base)
@@ -180,7 +180,7 @@ endfunction()
 function(torse_comparison target folder)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" LINK)
   file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
-  add_executable(${target} EXCLUDE_FROM_ALL ${sources})
+  add_executable(${target} EXCLUDE_FROM_ALL ${sources} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${target} PRIVATE ${arg_LINK})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
   torse_options(${target})
