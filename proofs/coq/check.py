@@ -134,8 +134,9 @@ def compile_theory():
 
 
 def check_files():
-    """Has coqchk look at the compiled files; those of other libraries are taken as they are."""
-    run(["coqchk", "-silent", "-R", ".", library, *(word for file in sources() for word in ("-norec", f"{library}.{file[:-2]}"))], 900)
+    """Has coqchk look at the compiled files; those of other libraries are taken as they are. It is quicker with the young heap that coqc has."""
+    files = (word for file in sources() for word in ("-norec", f"{library}.{file[:-2]}"))
+    run(["coqchk", "-silent", "-R", ".", library, *files], 900, env=os.environ | {"OCAMLRUNPARAM": "s=32M,o=200"})
 
 
 def together(name, theorems):
