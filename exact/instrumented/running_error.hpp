@@ -31,8 +31,8 @@ class RunningError {
   /// The integer i.
   template <std::integral T>
   explicit RunningError(T i) : value_(static_cast<double>(i)) {
-    constexpr double exact = 0x1p53;
-    if (std::abs(value_) > exact) bound_ = std::abs(value_) * 0x1p-52;
+    constexpr double exact = 0x1p53;  // what 2^53 + 1 rounds to as well
+    if (std::abs(value_) >= exact) bound_ = std::abs(value_) * 0x1p-52;
   }
 
   /// The exact value of a finite double.
@@ -52,7 +52,7 @@ class RunningError {
 
   friend RunningError operator*(const RunningError& x, const RunningError& y) {
     const double product = x.value_ * y.value_;
-    if (x.is_exactly_zero() || y.is_exactly_zero()) return {product, std::isfinite(product) ? 0 : unknown};
+    if (x.is_exactly_zero() || y.is_exactly_zero()) return {product, x.bound_ + y.bound_ < unknown ? 0 : unknown};
     double bound = std::abs(std::fma(x.value_, y.value_, -product)) + lost(product);
     if (x.bound_ != 0 || y.bound_ != 0) {
       bound += std::abs(x.value_) * y.bound_ + std::abs(y.value_) * x.bound_ + x.bound_ * y.bound_ + underflow;

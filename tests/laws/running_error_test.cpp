@@ -133,6 +133,31 @@ TEST(RunningError, NothingIsKnownBeyondTheRangeOrBesideAZeroDivisor) {
   EXPECT_TRUE(std::isinf(ScalarTraits<RunningError>::sqrt(RunningError(-1)).bound()));
 }
 
+TEST(RunningError, IntegersAreWithinTheirBounds) {
+  for (const std::int64_t two : {std::int64_t{1} << 52, std::int64_t{1} << 53, std::int64_t{1} << 54}) {
+    for (std::int64_t i = two - 3; i <= two + 3; ++i) {
+      for (const std::int64_t j : {i, -i}) {
+        const RunningError x(j);
+        EXPECT_LE(absolute(Rational::from_double(x.value()) - Rational(j)), Rational::from_double(x.bound())) << j;
+        if (std::abs(j) < std::int64_t{1} << 53) {
+          EXPECT_EQ(x.bound(), 0);
+        }
+      }
+    }
+  }
+}
+
+/// 3/10 - 2/10 - 1/10 is zero and computed as 2^-55; dividing by it says nothing, and neither does zero times that.
+TEST(RunningError, ZeroTimesTheUnknownIsUnknown) {
+  const RunningError tenth = RunningError::from_double(0.1);
+  const RunningError zero = tenth * RunningError(3) - tenth * RunningError(2) - tenth;
+  EXPECT_EQ(zero.value(), 0x1p-55);
+  const RunningError unknown = RunningError(1) / zero;
+  EXPECT_EQ(unknown.value(), 0x1p55);
+  EXPECT_TRUE(std::isinf((RunningError(0) * unknown).bound()));
+  EXPECT_TRUE(std::isinf((unknown * RunningError(0)).bound()));
+}
+
 TEST(RunningError, RootsAreWithinTheirBounds) {
   Rng rng(22);
   for (int run = 0; run < 3000 && !testing::Test::HasFailure(); ++run) {
