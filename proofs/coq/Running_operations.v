@@ -55,9 +55,7 @@ assert (sym : forall z : Z, negb (Z.even z) = negb (negb (Z.even (- (z + 1))))).
 specialize (c sym x y fx fy); fold s in c; fold p in c; lra.
 Qed.
 
-(** rounding.binary.running sum: the sum of two running results tracks the sum of the exact ones.
-    Hypotheses: five digits or more, and exponents up to eight more than that. *)
-Theorem rounding_binary_running_sum x y X Y : tracks x X -> tracks y Y -> tracks (plus_running x y) (both Rplus X Y).
+Lemma plus_tracks x y X Y : tracks x X -> tracks y Y -> tracks (plus_running x y) (both Rplus X Y).
 Proof.
 intros hx hy; unfold Running.plus_running.
 set (sum := bplus _ _); set (part := bminus sum _); set (local := bplus (bminus _ _) _).
@@ -86,12 +84,14 @@ unfold tracks; simpl; destruct is_finite; [|easy]; intros [f [r [-> le]]]; rewri
 split; [exact f|]; exists (- r); split; [easy|]; rewrite <- Rabs_Ropp; now replace (- (- B2R (value x) - - r)) with (B2R (value x) - r) by ring.
 Qed.
 
-(** rounding.binary.running difference: likewise the difference and the opposite. *)
-Theorem rounding_binary_running_difference x y X Y : tracks x X -> tracks y Y ->
-  tracks (opposite_running x) (opposite_exact X) /\ tracks (minus_running x y) (both Rminus X Y).
+(** rounding.binary.running sum: where the bounds of two results are finite the exact ones exist and lie within them; then so it is with the computed sum, difference and
+    opposite, whose bounds are finite, or infinite and no NaN.
+    Hypotheses: numbers of five digits or more, with exponents up to eight more than that. *)
+Theorem rounding_binary_running_sum x y X Y : tracks x X -> tracks y Y ->
+  tracks (plus_running x y) (both Rplus X Y) /\ tracks (minus_running x y) (both Rminus X Y) /\ tracks (opposite_running x) (opposite_exact X).
 Proof.
-intros hx hy; split; [now apply opposite_tracks|].
-assert (h := rounding_binary_running_sum _ _ _ _ hx (opposite_tracks _ _ hy)).
+intros hx hy; split; [now apply plus_tracks|split; [|now apply opposite_tracks]].
+assert (h := plus_tracks _ _ _ _ hx (opposite_tracks _ _ hy)).
 unfold Running.minus_running; replace (both Rminus X Y) with (both Rplus X (opposite_exact Y)); [exact h|].
 now destruct X, Y.
 Qed.
@@ -182,8 +182,8 @@ destruct c as [v [f _]]; fold (btimes (value x) (value y)) in v, f; rewrite f, v
 split; [easy|]; exists (rx * ry); split; [easy|]; rewrite pe, Rminus_0_r, Rabs_R0; lra.
 Qed.
 
-(** rounding.binary.running product: the product of two running results tracks the product of the exact ones.
-    Hypotheses: five digits or more, and exponents up to eight more than that. *)
+(** rounding.binary.running product: likewise the computed product.
+    Hypotheses: numbers of five digits or more, with exponents up to eight more than that. *)
 Theorem rounding_binary_running_product x y X Y : tracks x X -> tracks y Y -> tracks (times_running x y) (both Rmult X Y).
 Proof.
 intros hx hy; unfold Running.times_running.

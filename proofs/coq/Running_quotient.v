@@ -158,8 +158,8 @@ apply (bound_above prec emax format_wide (k + 2)); [lra|exact f|].
 rewrite plus_round by exact fp; rewrite (over_round fo fd); destruct (underflow_value prec emax format_wide) as [_ ->].
 apply above_over; assumption.
 Qed.
-(** rounding.binary.running quotient: the quotient of two running results tracks the quotient of the exact ones; a finite bound says that the exact divisor is not zero.
-    Hypotheses: five digits or more, and exponents up to eight more than that. *)
+(** rounding.binary.running quotient: likewise the computed quotient; that its bound is finite says as well that the exact divisor is not zero.
+    Hypotheses: numbers of five digits or more, with exponents up to eight more than that. *)
 Theorem rounding_binary_running_quotient x y X Y : tracks x X -> tracks y Y -> tracks (over_running prec emax x y) (over_exact X Y).
 Proof.
 intros hx hy; unfold over_running.
@@ -275,8 +275,8 @@ assert (two : 2 * bpow radix2 (emin + 2 * prec) <= bpow radix2 (emin + 2 * prec 
 rewrite Rabs_pos_eq; nra.
 Qed.
 
-(** rounding.binary.running root: the root of a running result tracks the root of the exact one; a finite bound says that it is not negative.
-    Hypotheses: five digits or more, and exponents up to eight more than that. *)
+(** rounding.binary.running root: likewise the computed square root; that its bound is finite says as well that the exact operand is not negative.
+    Hypotheses: numbers of five digits or more, with exponents up to eight more than that. *)
 Theorem rounding_binary_running_root x X : tracks x X -> tracks (root_running prec emax x) (root_exact X).
 Proof.
 intros hx; unfold root_running; set (r := Bsqrt mode_NE (value x)).
