@@ -7,7 +7,9 @@
 //   product    |fl(ab) - xy|     <= |local| + |a| eb + |b| ea + ea eb
 //   quotient   |q - x/y|         <= (|a - q b| + |q| eb + ea) / (|b| - eb)        q = fl(a/b), |b| > eb
 //   root       |r - sqrt x|      <= (|r^2 - a| + ea) / r                           r = fl(sqrt a), a > ea
-// Wilkinson, Rounding Errors in Algebraic Processes, 1963; Higham, Accuracy and Stability, section 3.3.
+// That the bounds, which are computed too, are none the less bounds is proved: proofs/coq/Running.v is this file line
+// by line, Running_*.v have what follows for every operation, program and decision. Wilkinson, Rounding Errors in
+// Algebraic Processes, 1963; Higham, Accuracy and Stability, section 3.3.
 #pragma once
 
 #include <cmath>
@@ -22,7 +24,8 @@
 namespace torse {
 
 /// A double that an algorithm computes, bit for bit, and a bound of its error for exact inputs. The bound is infinite
-/// where the value left the range of doubles or a divisor may be zero; then nothing is known.
+/// where the value left the range of doubles or a divisor may be zero; then nothing is known. Where it is finite, no
+/// divisor of the exact computation is zero and no operand of a root is negative.
 class RunningError {
  public:
   /// Exactly zero.

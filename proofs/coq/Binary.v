@@ -1,5 +1,5 @@
-(* The operations of IEEE 754 in any precision, as Flocq defines them, keep the standard model. The files Binary.v to Rounding_binary64.v are the only
-   ones that rest on axioms: those of Coq's real numbers, in terms of which Flocq says what rounding is.
+(* The operations of IEEE 754 in any precision, as Flocq defines them, keep the standard model. The files Binary.v to Needs_rounding.v in _CoqProject
+   are the only ones that rest on axioms: those of Coq's real numbers, in terms of which Flocq says what rounding is.
    Definitions (prec bits, exponents up to emax):
      number prec emax   a binary number; infinities, a NaN and both zeros among them
      bplus, bminus, btimes, bover   its operations, rounded to nearest, ties to even *)
