@@ -1,6 +1,8 @@
 // Running errors: the value is that of double, bit for bit, and the exact result is within the bound.
 #include "torse/exact/instrumented/running_error.hpp"
 
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "laws/laws.hpp"
@@ -131,6 +133,52 @@ TEST(RunningError, NothingIsKnownBeyondTheRangeOrBesideAZeroDivisor) {
   EXPECT_TRUE(std::isinf((huge + huge).bound()));
   EXPECT_TRUE(std::isinf(ScalarTraits<RunningError>::sqrt(RunningError::from_double(0x1p-60) - small).bound()));
   EXPECT_TRUE(std::isinf(ScalarTraits<RunningError>::sqrt(RunningError(-1)).bound()));
+}
+
+/// A double and a bound that no one operation gives: half of the time beside the size of the double, where a divisor
+/// barely is none.
+RunningError uncertain(Rng& rng) {
+  const double value = hostile(rng);
+  double bound = rng() % 4 == 0 ? 0 : std::abs(hostile(rng));
+  if (rng() % 2 == 0) {
+    bound = std::abs(value);
+    for (std::uint64_t i = rng() % 4; i > 0; --i) bound = std::nextafter(bound, 0.0);
+  }
+  return std::bit_cast<RunningError>(std::array<double, 2>{value, bound});
+}
+
+TEST(RunningError, OperandsMayBeAnywhereWithinTheirBounds) {
+  Rng rng(25);
+  int known = 0;
+  for (int run = 0; run < 20000 && !testing::Test::HasFailure(); ++run) {
+    const RunningError x = uncertain(rng);
+    const RunningError y = uncertain(rng);
+    const RunningError root_x = ScalarTraits<RunningError>::sqrt(x);
+    for (const int corner : {0, 1, 2, 3}) {
+      const auto end = [](const RunningError& z, bool upper) {
+        const Rational bound = Rational::from_double(z.bound());
+        return Rational::from_double(z.value()) + (upper ? bound : -bound);
+      };
+      const Three a{x.value(), x, end(x, corner % 2 == 1)};
+      const Three b{y.value(), y, end(y, corner / 2 == 1)};
+      for (std::uint64_t operation = 0; operation < 4; ++operation) {
+        const Three result = apply(operation, a, b);
+        if (operation == 3 && b.exact.sign() == 0) {
+          EXPECT_TRUE(std::isinf((x / y).bound()));
+        } else {
+          expect_within(result);
+          known += std::isfinite(result.running.bound()) ? 1 : 0;
+        }
+      }
+      if (std::isfinite(root_x.bound())) {
+        const Rational above = end(root_x, true);
+        const Rational below = end(root_x, false);
+        EXPECT_LE(below.sign() < 0 ? Rational() : below * below, a.exact);
+        EXPECT_GE(above * above, a.exact);
+      }
+    }
+  }
+  EXPECT_GT(known, 200000);
 }
 
 TEST(RunningError, IntegersAreWithinTheirBounds) {
