@@ -4,10 +4,13 @@
      zero, unknown        0 and plus infinity
      up, down             1 + 2^(4 - prec) and 1 - 2^(1 - prec), in doubles 1 + 2^-49 and 1 - 2^-52
      underflow, tiny      in doubles 2^-1070 and 2^-960;  most, ulps   2^prec and 2^(1 - prec), in doubles 2^53 and 2^-52
+     inexact, exactly_zero   a bound that is not 0, a result that is 0 with the bound 0
+     lost, rounded_up     what an underflow may take from a residual, and a computed bound made a bound
      of_number, of_int    a number and an integer as exact operands
      plus_running ...     the operations
-     truth, is_zero, less   the decisions
-     exact                the result of an exact program, if it divides by no zero and takes no root of a negative number
+     truth, is_zero, is_less   the decisions
+     exact                the result of an exact program, if it divides by no zero and takes no root of a negative number;
+                          both, opposite_exact, over_exact, root_exact are the operations
      tracks r X           the bound of r is infinite, or it is finite, the exact result X exists, and it is within the bound *)
 From Coq Require Import ZArith Reals Psatz.
 From Flocq Require Import Core Operations BinarySingleNaN.
@@ -33,7 +36,7 @@ Definition tiny : number := binary 1 (emin + 2 * prec + 8).
 Definition most : number := binary 1 prec.
 Definition ulps : number := binary 1 (1 - prec).
 
-Definition nonzero b := negb (Beqb b zero).
+Definition inexact b := negb (Beqb b zero).
 Definition exactly_zero x := (Beqb (value x) zero && Beqb (bound x) zero)%bool.
 Definition lost b := if Bltb (Babs b) tiny then underflow else zero.
 Definition rounded_up b := if Bleb zero b then btimes b up else unknown.
@@ -55,7 +58,7 @@ Definition times_running x y :=
   if (exactly_zero x || exactly_zero y)%bool then Running product (if Bltb (bplus (bound x) (bound y)) unknown then zero else unknown)
   else
     let b := bplus (Babs (Bfma mode_NE (value x) (value y) (Bopp product))) (lost product) in
-    let b := if (nonzero (bound x) || nonzero (bound y))%bool
+    let b := if (inexact (bound x) || inexact (bound y))%bool
              then bplus b (bplus (bplus (bplus (btimes (Babs (value x)) (bound y)) (btimes (Babs (value y)) (bound x)))
                                         (btimes (bound x) (bound y))) underflow)
              else b in
@@ -68,7 +71,7 @@ Definition over_running x y :=
   else if exactly_zero x then Running quotient zero
   else
     let rest := bplus (bplus (Babs (Bfma mode_NE (Bopp quotient) (value y) (value x))) (lost (value x))) (lost quotient) in
-    let rest := if (nonzero (bound x) || nonzero (bound y))%bool
+    let rest := if (inexact (bound x) || inexact (bound y))%bool
                 then bplus rest (bplus (bplus (btimes (Babs quotient) (bound y)) (bound x)) underflow)
                 else rest in
     Running quotient (if Beqb rest zero then zero else rounded_up (bplus (bover rest divisor) underflow)).
@@ -84,7 +87,7 @@ Definition root_running x :=
 Inductive truth := yes | no | not_known.
 Definition is_zero x :=
   if Bltb (bound x) (Babs (value x)) then no else if Beqb (bound x) zero then yes else not_known.
-Definition less x y :=
+Definition is_less x y :=
   let rest := minus_running y x in
   match is_zero rest with
   | no => if Bltb zero (value rest) then yes else no

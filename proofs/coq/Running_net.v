@@ -1,6 +1,6 @@
 (* Running error analysis of the construction of a net: the doubles of the library and the exact row.
    Definitions:
-     related R A B        R between two types is kept by their operations A and B
+     respects R A B        R between two types is kept by their operations A and B
      given x              a number as an exact operand *)
 From Coq Require Import ZArith Reals Psatz.
 From Flocq Require Import Core BinarySingleNaN.
@@ -16,10 +16,10 @@ Delimit Scope R_scope with Re.
 
 Section Related.
 Variables (S T : Type) (A : arithmetic S) (B : arithmetic T) (R : S -> T -> Prop).
-Definition related := forall x y x' y', R x x' -> R y y' ->
+Definition respects := forall x y x' y', R x x' -> R y y' ->
   [/\ R (plus A x y) (plus B x' y'), R (minus A x y) (minus B x' y'), R (times A x y) (times B x' y') & R (over A x y) (over B x' y')].
 
-Hypothesis kept : related.
+Hypothesis kept : respects.
 Lemma keep_plus x y x' y' : R x x' -> R y y' -> R (plus A x y) (plus B x' y'). Proof. by move=> hx /(kept hx) []. Qed.
 Lemma keep_minus x y x' y' : R x x' -> R y y' -> R (minus A x y) (minus B x' y'). Proof. by move=> hx /(kept hx) []. Qed.
 Lemma keep_times x y x' y' : R x x' -> R y y' -> R (times A x y) (times B x' y'). Proof. by move=> hx /(kept hx) []. Qed.
@@ -45,7 +45,7 @@ End Related.
 
 Definition agrees (X : exact) (x : rat) := forall r, X = Some r -> r = real x.
 
-Lemma agrees_related : related exacts (exactly [fieldType of rat]) agrees.
+Lemma agrees_related : respects exacts (exactly [fieldType of rat]) agrees.
 Proof.
 move=> [x|] [y|] x' y' hx hy; split=> //= r; rewrite ?(hx _ erefl) ?(hy _ erefl).
 - by case=> <-; rewrite real_add.
@@ -87,7 +87,7 @@ Implicit Types (x y : running) (X Y : exact).
 Lemma minus_opposite (a b : T) : bplus a (Bopp b) = bminus a b.
 Proof. by case: a b => [s|s||s m e h] [s'|s'||s' m' e' h'] //=; case: s s' => [] []. Qed.
 
-Lemma values_related : related runnings machine (fun x a => value x = a).
+Lemma values_related : respects runnings machine (fun x a => value x = a).
 Proof.
 move=> x y _ _ <- <-; split=> //=; first exact: minus_opposite.
   by rewrite /times_running; case: ifP.
@@ -96,7 +96,7 @@ Qed.
 
 Hypothesis format_wide : wide prec emax.
 
-Lemma tracks_related : related runnings exacts tracks.
+Lemma tracks_related : respects runnings exacts tracks.
 Proof.
 move=> x y X Y hx hy; have [h1 [h2 _]] := rounding_binary_running_sum prec emax format_wide x y X Y hx hy.
 by split; [exact: h1 | exact: h2 | exact: rounding_binary_running_product | exact: rounding_binary_running_quotient].

@@ -112,9 +112,9 @@ split; [|easy]; f_equal; assert (c := Rabs_pos (0 - r)); assert (c' := Rabs_le_i
 Qed.
 
 Lemma no_extra a b : is_finite a = true -> is_finite b = true ->
-  (nonzero prec emax a || nonzero prec emax b)%bool = false -> B2R a = 0 /\ B2R b = 0.
+  (inexact prec emax a || inexact prec emax b)%bool = false -> B2R a = 0 /\ B2R b = 0.
 Proof.
-intros fa fb h; apply Bool.orb_false_iff in h; destruct h as [ha hb]; unfold nonzero in ha, hb.
+intros fa fb h; apply Bool.orb_false_iff in h; destruct h as [ha hb]; unfold inexact in ha, hb.
 apply Bool.negb_false_iff in ha; apply Bool.negb_false_iff in hb; now split; apply is_zero_number.
 Qed.
 Lemma abs_ge0 a : 0 <= B2R (Babs a). Proof. rewrite B2R_Babs; apply Rabs_pos. Qed.
@@ -190,14 +190,14 @@ intros hx hy; unfold Running.times_running.
 destruct (exactly_zero _ _ _ || exactly_zero _ _ _)%bool eqn:z; [now apply times_zero|clear z].
 set (product := btimes (value x) (value y)); set (local := bplus (Babs _) (lost _)).
 apply tracks_rounded; intros fb fc.
-assert (fl : is_finite local = true) by (destruct (nonzero _ _ _ || nonzero _ _ _)%bool; [apply (finite_plus fc)|exact fc]).
+assert (fl : is_finite local = true) by (destruct (inexact _ _ _ || inexact _ _ _)%bool; [apply (finite_plus fc)|exact fc]).
 destruct (finite_plus fl) as [ff _]; rewrite is_finite_Babs in ff; destruct (finite_fma _ _ _ _ _ ff) as [fx [fy fp]].
 rewrite finite_opp in fp; split; [exact fp|].
 assert (ha := residual_above _ _ _ _ fp fl (product_survives _ _ fp)); fold local in ha; rewrite B2R_Bopp in ha.
 assert (fin : is_finite (bound x) = true /\ is_finite (bound y) = true).
-{ destruct (nonzero _ _ (bound x)) eqn:nx; destruct (nonzero _ _ (bound y)) eqn:ny; cbn [orb] in fc.
+{ destruct (inexact _ _ (bound x)) eqn:nx; destruct (inexact _ _ (bound y)) eqn:ny; cbn [orb] in fc.
   1-3: destruct (finite_plus fc) as [_ fe]; destruct (finite_plus fe) as [fe1 _]; destruct (finite_plus fe1) as [_ fe2]; apply (finite_times fe2).
-  unfold nonzero in nx, ny; apply Bool.negb_false_iff in nx; apply Bool.negb_false_iff in ny; split; now apply is_zero_number. }
+  unfold inexact in nx, ny; apply Bool.negb_false_iff in nx; apply Bool.negb_false_iff in ny; split; now apply is_zero_number. }
 destruct fin as [fbx fby].
 destruct (known _ _ hx fbx) as [_ [bx [rx [-> ex]]]]; destruct (known _ _ hy fby) as [_ [by' [ry [-> ey]]]].
 exists (rx * ry); split; [easy|].
@@ -208,7 +208,7 @@ apply Rle_trans with (t + (Rabs a * dy + Rabs b * dx + dx * dy)).
   assert (e := product_error a b dx dy rx ry ex ey); unfold t; apply Rabs_le_inv in e.
   unfold Rabs at 1 2; repeat destruct Rcase_abs; lra.
 apply (bound_above prec emax format_wide 5); [lra|exact fb|].
-destruct (nonzero _ _ _ || nonzero _ _ _)%bool eqn:nz; cbn [orb] in fc |- *.
+destruct (inexact _ _ _ || inexact _ _ _)%bool eqn:nz; cbn [orb] in fc |- *.
   destruct (finite_plus fc) as [_ fe]; destruct (finite_plus fe) as [fe1 _]; destruct (finite_plus fe1) as [fe2 fe3].
   destruct (finite_plus fe2) as [fe4 fe5].
   replace 5 with (4 + 1) by ring; apply (sum_above prec emax format_wide); [lra|exact fc| |].

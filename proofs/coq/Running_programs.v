@@ -54,7 +54,7 @@ Local Notation rnd := (round radix2 (FLT_exp emin prec) ZnearestE).
 Local Notation u := (bpow radix2 (- prec)).
 Local Notation small := (bpow radix2 (emin + prec - 1)).
 Local Notation is_zero := (is_zero prec emax).
-Local Notation less := (less prec emax).
+Local Notation is_less := (is_less prec emax).
 Let digits : (5 <= prec)%Z. Proof. exact (proj1 format_wide). Qed.
 Let range : (prec + 8 <= emax)%Z. Proof. exact (proj2 format_wide). Qed.
 
@@ -159,13 +159,13 @@ Qed.
     Hypotheses: numbers of five digits or more, with exponents up to eight more than that. *)
 Theorem rounding_binary_running_decisions x y X Y : tracks x X -> tracks y Y ->
   (is_zero x = yes -> X = Some 0) /\ (is_zero x = no -> exists r, X = Some r /\ r <> 0) /\
-  (less x y = yes -> exists r s, X = Some r /\ Y = Some s /\ r < s) /\
-  (less x y = no -> exists r s, X = Some r /\ Y = Some s /\ s <= r).
+  (is_less x y = yes -> exists r s, X = Some r /\ Y = Some s /\ r < s) /\
+  (is_less x y = no -> exists r s, X = Some r /\ Y = Some s /\ s <= r).
 Proof.
 intros hx hy; destruct (zero_decided x X hx) as [z n]; split; [exact z|split].
   intros h; destruct (n h) as [r [e [nz _]]]; now exists r.
 destruct (rounding_binary_running_sum prec emax format_wide _ _ _ _ hy hx) as [_ [hd _]].
-destruct (zero_decided _ _ hd) as [zd nd]; unfold Running.less; revert zd nd; clear z n.
+destruct (zero_decided _ _ hd) as [zd nd]; unfold Running.is_less; revert zd nd; clear z n.
 destruct (is_zero (minus_running prec emax y x)); intros zd nd.
 - split; [easy|intros _]; specialize (zd eq_refl); destruct X as [r|], Y as [s|]; try easy; injection zd as e.
   exists r, s; split; [easy|split; [easy|lra]].

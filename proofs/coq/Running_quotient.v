@@ -23,7 +23,7 @@ Local Notation rounded_up := (rounded_up prec emax).
 Local Notation down := (down prec emax).
 Local Notation underflow := (underflow prec emax).
 Local Notation exactly_zero := (exactly_zero prec emax).
-Local Notation nonzero := (nonzero prec emax).
+Local Notation inexact := (inexact prec emax).
 Let digits : (5 <= prec)%Z. Proof. exact (proj1 format_wide). Qed.
 Let range : (prec + 8 <= emax)%Z. Proof. exact (proj2 format_wide). Qed.
 
@@ -182,9 +182,9 @@ assert (fl : is_finite local = true) by (unfold rest in fr; destruct (_ || _)%bo
 destruct (finite_plus fl) as [fl1 fl2]; destruct (finite_plus fl1) as [ff _]; rewrite is_finite_Babs in ff.
 destruct (finite_fma _ _ _ _ _ ff) as [fq [_ fx]]; rewrite is_finite_Bopp in fq.
 assert (fbx : is_finite (bound x) = true).
-{ unfold rest in fr; destruct (nonzero (bound x)) eqn:nx; cbn [orb] in fr.
+{ unfold rest in fr; destruct (inexact (bound x)) eqn:nx; cbn [orb] in fr.
     destruct (finite_plus fr) as [_ fe]; destruct (finite_plus fe) as [fe1 _]; apply (finite_plus fe1).
-  unfold Running.nonzero in nx; apply Bool.negb_false_iff in nx; now apply is_zero_number. }
+  unfold Running.inexact in nx; apply Bool.negb_false_iff in nx; now apply is_zero_number. }
 destruct (known _ _ _ _ hx fbx) as [_ [bx [rx [-> ex]]]].
 destruct (quotient_error _ _ (B2R q) _ _ _ _ _ ex ey hd) as [ny le].
 split; [exact fq|]; exists (rx / ry); unfold over_exact; destruct (Req_EM_T ry 0); [easy|split; [easy|]].
