@@ -1,6 +1,8 @@
 (* The programs of proofs/coq as OCaml: run by compare.py in build/coq/compare. Natural numbers become int; nothing else is replaced but
    booleans, lists, pairs and options by OCaml's own. *)
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt.
+From Flocq Require BinarySingleNaN.
+From Torse Require Running.
 From Torse Require Import Executable Executable_knots Executable_net Executable_pieces Executable_determinant Executable_FJ21 Executable_ZW06
   Executable_splines
   Executable_changes Executable_edge Executable_rational Executable_rulings Executable_rows
@@ -19,3 +21,6 @@ Extraction "programs.ml" knot_list blossom_program point_program derivative_prog
   aim_program branch_program coordinates_program ends_program interpolation_program rows_program
   mapping_value_program mapping_slope_program greville_program warp_program composed_program bernstein_program polynomial_program
   cylinder_program apex_program restricted_lambda tangent_point_program last_pair_program functions_program.
+
+Extraction "running.ml" Running.of_number Running.of_int Running.plus_running Running.minus_running Running.opposite_running Running.times_running
+  Running.over_running Running.root_running Running.is_zero Running.is_less BinarySingleNaN.is_finite.

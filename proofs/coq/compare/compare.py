@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Runs the programs extracted from the compiled theory in build/coq beside the C++ library, on the same problems, and compares the answers as text:
-fractions in lowest terms, or the error.
+fractions in lowest terms, the bits of doubles, or the error.
 
 usage: compare.py LIBRARY [--count N] [--seed S]     LIBRARY is the program of the CMake target coq_compare; N problems of each class of each function
 
@@ -32,13 +32,14 @@ def run(arguments, **options):
 def extracted():
     """The OCaml program, made of the compiled theory."""
     build.mkdir(parents=True, exist_ok=True)
-    for name in ("Extraction.v", "main.ml"):
+    for name in ("Extraction.v", "doubles.ml", "main.ml"):
         shutil.copyfile(here / name, build / name)
     said = run(["coqc", "-q", "-w", "none", "-R", "..", "Torse", "Extraction.v"])
-    text = (build / "programs.ml").read_text()
+    text = (build / "programs.ml").read_text() + (build / "running.ml").read_text()
     if "axiom" in said.lower() or "Obj.magic" in text or "failwith" in text:
-        sys.exit(f"{said}programs.ml: an axiom or a cast")
-    run(["ocamlfind", "ocamlopt", "-package", "zarith", "-linkpkg", "programs.mli", "programs.ml", "main.ml", "-o", "programs"])
+        sys.exit(f"{said}programs.ml, running.ml: an axiom or a cast")
+    sources = ["programs.mli", "programs.ml", "running.mli", "running.ml", "doubles.ml", "main.ml"]
+    run(["ocamlfind", "ocamlopt", "-package", "zarith", "-linkpkg", *sources, "-o", "programs"])
     return build / "programs"
 
 

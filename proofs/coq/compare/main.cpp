@@ -1,5 +1,5 @@
-// Reads a problem a line and prints the answer of the library's templates with exact rationals: the other side of
-// main.ml.
+// Reads a problem a line and prints the answer of the library's templates with exact rationals, or with running errors:
+// the other side of main.ml.
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -12,8 +12,8 @@ namespace {
 std::string solve(const std::string& line) {
   const Problem problem(line);
   try {
-    for (const Table* table :
-         {&over_knots(), &of_rulings(), &of_mappings(), &of_polynomials(), &of_one_piece(), &of_changes()}) {
+    for (const Table* table : {&over_knots(), &of_rulings(), &of_mappings(), &of_polynomials(), &of_one_piece(),
+                               &of_changes(), &of_running()}) {
       if (const auto found = table->find(problem.name()); found != table->end()) return found->second(problem).text();
     }
     throw std::out_of_range(problem.name());

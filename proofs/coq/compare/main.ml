@@ -1,5 +1,6 @@
 (* Reads a problem a line, `NAME KEY=VALUE ...`, and prints the answer that the program NAME extracted from proofs/coq gives over the rational
-   numbers of Zarith: its fractions, or `error` and what is wrong. Numbers in a list are separated by commas, points by semicolons. *)
+   numbers of Zarith: its fractions, or `error` and what is wrong. Numbers in a list are separated by commas, points by semicolons. Running error
+   analysis, which is of doubles, is in doubles.ml. *)
 open Programs
 
 let field = {
@@ -61,6 +62,11 @@ let with_rulings program p = spline (fun k s -> program k s x y z) p (point p "v
 
 (* A Bezier curve c, whose row is always there. *)
 let of_directrix program p = of_points (Value (program field (space 3) (points p "c")))
+
+(* Running results, given by the bits of their values and bounds. *)
+let bits p key = List.map Z.of_string (pieces ',' (member p key))
+let one_running operation p = Doubles.one operation (bits p "x")
+let two_running operation p = Doubles.two operation (bits p "x") (bits p "y")
 
 let programs = [
   "knots", (fun p -> answer (fun () -> []) (knot_list field (integer p "n") (numbers p "u") (Value ())));
@@ -136,6 +142,16 @@ let programs = [
   "last_pair", (fun p -> of_points (spline last_pair_program p (integer p "k") (number p "t")));
   "cell_functions", (fun p -> of_point (spline (fun k v -> functions_program k v x y z t) p (points p "d") (integer p "i")));
   "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
+  "running_sum", two_running Running.plus_running;
+  "running_difference", two_running Running.minus_running;
+  "running_product", two_running Running.times_running;
+  "running_quotient", two_running Running.over_running;
+  "running_opposite", one_running Running.opposite_running;
+  "running_root", one_running Running.root_running;
+  "running_number", (fun p -> Doubles.(answer (Running.of_number prec emax (number (Z.of_string (member p "x"))))));
+  "running_integer", (fun p -> Doubles.(answer (Running.of_int prec emax (integer (Z.of_string (member p "x"))))));
+  "running_is_zero", (fun p -> Doubles.(decided (Running.is_zero prec emax (running (bits p "x")))));
+  "running_less", (fun p -> Doubles.(decided (Running.is_less prec emax (running (bits p "x")) (running (bits p "y")))));
 ]
 
 let solve line =

@@ -1,6 +1,6 @@
 // A problem of the comparison with the extracted programs, one line of text, and its answer.
 //   Problem     `NAME KEY=VALUE ...`; numbers in a list are separated by commas, points by semicolons
-//   Answer      the fractions of an answer, one after the other
+//   Answer      the fractions or words of an answer, one after the other
 #pragma once
 
 #include <map>
@@ -37,6 +37,7 @@ class Problem {
 
   const std::string& name() const { return name_; }
   int integer(const char* key) const { return std::stoi(members_.at(key)); }
+  std::vector<std::string> words(const char* key) const { return parts(members_.at(key), ','); }
   Rational number(const char* key) const { return Rational::from_text(members_.at(key)); }
   std::vector<Rational> numbers(const char* key) const { return list(members_.at(key)); }
 
@@ -84,10 +85,11 @@ class Problem {
 /// What the library gives: numbers, points, rows of points.
 class Answer {
  public:
-  Answer& operator<<(const Rational& x) {
-    text_ += (text_.empty() ? "" : " ") + x.text();
+  Answer& operator<<(const std::string& word) {
+    text_ += (text_.empty() ? "" : " ") + word;
     return *this;
   }
+  Answer& operator<<(const Rational& x) { return *this << x.text(); }
   template <int D>
   Answer& operator<<(const Vec<Rational, D>& p) {
     for (int i = 0; i < D; ++i) *this << p[i];

@@ -6,6 +6,7 @@
 """
 from fractions import Fraction
 
+import doubles
 from draw import Draw, line
 
 
@@ -380,9 +381,9 @@ functions = {
     "tangent_net": (of_rows, directrix),
     "mean_chord_net": (of_rows, directrix),
     "affine_net": (of_rows, directrix),
-}
+} | doubles.functions
 total = {"restrict_rulings", "coefficients_from_steps", "elevated_points", "cone_net", "mean_tangent_net", "tangent_net", "mean_chord_net", "affine_net",
-         "moebius_rows", "times_linear", "edge_patch", "restricted_lambda"}
+         "moebius_rows", "times_linear", "edge_patch", "restricted_lambda"} | doubles.all_known
 # The classes and functions where every answer is an error, and where some are; in no class or function else are all.
 all_errors = {"missing points", "M* at a knot"}
 with_errors = {"bad knots"} | set(functions) - total

@@ -1,6 +1,6 @@
 // The functions of the comparison by name.
 //   Function, Table           from a problem to the answer of the library, by name
-//   over_knots, of_rulings, of_mappings, of_polynomials, of_one_piece, of_changes  all of them
+//   over_knots, of_rulings, of_mappings, of_polynomials, of_one_piece, of_changes, of_running  all of them
 #pragma once
 
 #include <map>
@@ -25,5 +25,7 @@ const Table& of_polynomials();
 const Table& of_one_piece();
 /// Those of FJ21 that change the functions Lam, M, sigma, and the edge of regression.
 const Table& of_changes();
+/// Running error analysis of doubles.
+const Table& of_running();
 
 }  // namespace torse::compare
