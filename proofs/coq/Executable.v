@@ -18,7 +18,7 @@ Record scalars T := Scalars {
 Record points T P := Points {origin : P; padd : P -> P -> P; psub : P -> P -> P; pscale : T -> P -> P}.
 
 Inductive reason := Division | Degree | Knots | Knot of nat | Vertices | At_knot | Vertex | Cell of nat | Sigma | Outside | Lambda | Weight of nat
-  | Rho | Factor | Alpha | Parallel | Lengths.
+  | Rho | Factor | Alpha | Parallel | Lengths | Equation | Directrix.
 Inductive answer A := Value of A | Fails of reason.
 
 Definition given A (b : bool) e (a : answer A) := if b then a else Fails A e.
