@@ -7,7 +7,8 @@ From Torse Require Import Executable Executable_knots Executable_net Executable_
   Executable_splines
   Executable_changes Executable_edge Executable_rational Executable_rulings Executable_rows
   Executable_mappings Executable_warp Executable_composition Executable_polynomials
-  Executable_special Executable_recovery.
+  Executable_special Executable_recovery
+  Executable_elimination Executable_directrix Executable_sums Executable_surface.
 
 Extraction Language OCaml.
 Extraction "programs.ml" knot_list blossom_program point_program derivative_program net_program
@@ -20,7 +21,10 @@ Extraction "programs.ml" knot_list blossom_program point_program derivative_prog
   times_program edge_rows_program patch_program determinant4_program check4_program
   aim_program branch_program coordinates_program ends_program interpolation_program rows_program
   mapping_value_program mapping_slope_program greville_program warp_program composed_program bernstein_program polynomial_program
-  cylinder_program apex_program restricted_lambda tangent_point_program last_pair_program functions_program.
+  cylinder_program apex_program restricted_lambda tangent_point_program last_pair_program functions_program
+  is_cone directrix_program times_rows edge_of vertex_of_cone equation_program
+  side_program rulings_program slope_program determinant_of products_of squares_of unit_of vertex_program
+  refined_program raised_program breaks surface_program.
 
 Extraction "running.ml" Running.of_number Running.of_int Running.plus_running Running.minus_running Running.opposite_running Running.times_running
   Running.over_running Running.root_running Running.is_zero Running.is_less BinarySingleNaN.is_finite.

@@ -13,7 +13,7 @@ std::string solve(const std::string& line) {
   const Problem problem(line);
   try {
     for (const Table* table : {&over_knots(), &of_rulings(), &of_mappings(), &of_polynomials(), &of_one_piece(),
-                               &of_changes(), &of_running()}) {
+                               &of_changes(), &of_directrices(), &of_surfaces(), &of_running()}) {
       if (const auto found = table->find(problem.name()); found != table->end()) return found->second(problem).text();
     }
     throw std::out_of_range(problem.name());

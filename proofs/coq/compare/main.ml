@@ -31,7 +31,7 @@ let reason = function
   | Division -> "division" | Degree -> "degree" | Knots -> "knots" | Knot i -> Printf.sprintf "knots[%d]" i | Vertices -> "points"
   | At_knot -> "M" | Vertex -> "k" | Cell i -> Printf.sprintf "cell[%d]" i | Sigma -> "sigma" | Outside -> "t" | Lambda -> "Lambda"
   | Weight i -> Printf.sprintf "weights[%d]" i | Rho -> "rho" | Factor -> "s" | Alpha -> "alpha" | Parallel -> "v"
-  | Lengths -> "lengths"
+  | Lengths -> "lengths" | Equation -> "a" | Directrix -> "c.points"
 
 let answer numbers = function
   | Value a -> String.concat " " (List.map Q.to_string (numbers a))
@@ -62,6 +62,16 @@ let with_rulings program p = spline (fun k s -> program k s x y z) p (point p "v
 
 (* A Bezier curve c, whose row is always there. *)
 let of_directrix program p = of_points (Value (program field (space 3) (points p "c")))
+
+(* Bernstein coefficients a and b, a directrix c with rulings d. *)
+let vanishes = List.for_all (fun x -> Q.sign x = 0)
+let of_rulings = function
+  | Contradiction (s, r) -> Q.zero :: s @ r
+  | Only tau -> Q.one :: List.concat tau
+  | Family (tau, kappa) -> Q.of_int 2 :: List.concat tau @ kappa
+
+(* A vector N, a ruling w and the tangents a and b at its ends. *)
+let of_tangents program p = program field x y z (point p "v") (point p "d") (point p "a") (point p "b")
 
 (* Running results, given by the bits of their values and bounds. *)
 let bits p key = List.map Z.of_string (pieces ',' (member p key))
@@ -141,6 +151,26 @@ let programs = [
   "tangent_point", (fun p -> of_point (spline tangent_point_program p (integer p "k") (number p "t") (number p "a", number p "w")));
   "last_pair", (fun p -> of_points (spline last_pair_program p (integer p "k") (number p "t")));
   "cell_functions", (fun p -> of_point (spline (fun k v -> functions_program k v x y z t) p (points p "d") (integer p "i")));
+  "is_cone_equation", (fun p -> of_point (Value [if is_cone field (numbers p "a") (numbers p "b") then Q.one else Q.zero]));
+  "solve_directrix", (fun p -> answer of_rulings (directrix_program field (space 3) vanishes (points p "c") (numbers p "a") (numbers p "b")));
+  "times_polynomial", (fun p -> of_points (Value (times_rows field (space 3) (numbers p "b") (points p "c"))));
+  "directrix_edge", (fun p -> of_points (Value (edge_of field (space 3) (points p "c") (points p "d") (numbers p "b"))));
+  "directrix_vertex", (fun p -> of_point (vertex_of_cone field (space 3) (points p "c") (points p "d") (numbers p "a") (numbers p "b")));
+  "aumann_equation", (fun p -> answer (fun (a, b) -> a @ b) (equation_program field (integer p "n") (number p "x") (number p "s")));
+  "cell_point", (fun p -> of_point (spline side_program p (integer p "i") (number p "t")));
+  "eq16_rulings", (fun p -> of_points (row rulings_program p (point p "d")));
+  "derivative_sum", (fun p -> of_point (spline slope_program p (integer p "k") (number p "t")));
+  "spline_vertex", (fun p -> of_point (vertex_program field (space 3) (integer p "n") (numbers p "u") (points p "c") (integer p "k") (integer p "i")));
+  "ruling_determinant", (fun p -> of_point (Value [determinant_of field x y z (point p "d") (point p "a") (point p "b")]));
+  "normal_products", (fun p -> of_point (Value (of_tangents products_of p)));
+  "normal_residual", (fun p -> of_point (Value [of_tangents squares_of p]));
+  "unit_penalty", (fun p -> of_point (Value [unit_of field x y z (point p "v")]));
+  "refined", (fun p -> of_points (spline refined_program p (numbers p "v")));
+  "elevate", (fun p -> answer (fun (u, c) -> u @ List.concat c) (spline raised_program p));
+  "breakpoints", (fun p -> let n = integer p "n" and u = numbers p "u" and v = numbers p "v" in
+    of_point (knot_list field n u (knot_list field n v (Value (breaks field n u v)))));
+  "quasi_surface", (fun p -> answer (fun ((u, c), d) -> u @ List.concat c @ List.concat d)
+    (spline surface_program p (integer p "p") (numbers p "v") (points p "e") (integer p "d") (numbers p "w") (numbers p "b") (integer p "s" = 1)));
   "rational_net", (fun p -> of_points (row rational_program p (number p "s") (point p "d")));
   "running_sum", two_running Running.plus_running;
   "running_difference", two_running Running.minus_running;

@@ -18,6 +18,11 @@ Answer sine(const Problem& p) {
   return Answer() << pointwise_sine_squared<Q>(c.knots, c.points(), d.points(), k, p.number("t"));
 }
 
+Answer slope(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << derivative_sum(c.knots, c.points(), p.integer("k"), p.number("t"));
+}
+
 }  // namespace
 
 const Table& of_mappings() {
@@ -25,6 +30,7 @@ const Table& of_mappings() {
       {"mapping_value", [](P p) { return Answer() << mapping_value(p.spline<1>(), p.number("t")); }},
       {"mapping_slope", [](P p) { return Answer() << mapping_slope(p.spline<1>(), p.number("t")); }},
       {"identity_mapping", [](P p) { return Answer() << identity_mapping(p.knots()).control; }},
+      {"derivative_sum", slope},
       {"pointwise_sine_squared", sine},
   };
   return table;

@@ -1,26 +1,16 @@
 """The problems on which the extracted programs and the C++ library have to agree, random and degenerate.
 
-  functions    how a line `NAME KEY=VALUE ...` for each function is drawn, and for which classes of inputs
+  functions    how a line `NAME KEY=VALUE ...` for each function is drawn, and for which classes of inputs: those of directrices.py and surfaces.py too
   total, all_errors, with_errors    where answers are errors
   problems     (function, class, line) for all of them
 """
 from fractions import Fraction
 
+import directrices
 import doubles
+import surfaces
 from draw import Draw, line
-
-
-def spline(draw):
-    draw.degree()
-    u = draw.knots()
-    return {"n": draw.n, "u": u, "c": draw.row()}
-
-
-def net(draw, **more):
-    members = spline(draw)
-    lam, m = draw.starred()
-    d = members["c"][0] if draw.kind == "zero edges" and draw.random.random() < 0.3 else draw.point()
-    return members | {"L": lam, "M": m, "d": d} | more
+from inputs import bezier, general, net, of_knots, of_nets, of_numbers, of_rows, spline
 
 
 def blossom(draw):
@@ -33,11 +23,6 @@ def vertex(draw, first):
     members = net(draw)
     last = draw.last if first or draw.random.random() < 0.9 else draw.last + 1
     return members | {"i": draw.random.randint(first, max(first, last))}
-
-
-of_knots = ["random", "clamped knots", "repeated knots", "huge fractions", "bad knots", "high degree", "many pieces"]
-general = of_knots + ["zero edges", "collinear points", "missing points"]
-of_nets = general + ["M* at a knot", "L* at a knot", "L* = M*"]
 
 
 def point(draw):
@@ -61,12 +46,6 @@ def following(draw):
 
 def affine(draw):
     return {"L": draw.number(), "M": 0 if draw.random.random() < 0.1 else draw.number()}
-
-
-def bezier(draw):
-    draw.degree()
-    draw.last = draw.n
-    return {"c": draw.row()}
 
 
 def aumann(draw):
@@ -306,8 +285,6 @@ def steps(draw):
     return {"e": [draw.random.choice((0, draw.number())) for _ in range(draw.degree() + 1)]}
 
 
-of_numbers = ["random", "huge fractions"]
-of_rows = ["random", "zero edges", "collinear points", "huge fractions", "high degree"]
 functions = {
     "knots": (of_knots, spline),
     "blossom": (general, blossom),
@@ -381,9 +358,9 @@ functions = {
     "tangent_net": (of_rows, directrix),
     "mean_chord_net": (of_rows, directrix),
     "affine_net": (of_rows, directrix),
-} | doubles.functions
+} | directrices.functions | surfaces.functions | doubles.functions
 total = {"restrict_rulings", "coefficients_from_steps", "elevated_points", "cone_net", "mean_tangent_net", "tangent_net", "mean_chord_net", "affine_net",
-         "moebius_rows", "times_linear", "edge_patch", "restricted_lambda"} | doubles.all_known
+         "moebius_rows", "times_linear", "edge_patch", "restricted_lambda"} | directrices.total | surfaces.total | doubles.all_known
 # The classes and functions where every answer is an error, and where some are; in no class or function else are all.
 all_errors = {"missing points", "M* at a knot"}
 with_errors = {"bad knots"} | set(functions) - total

@@ -137,6 +137,23 @@ Answer bezier(const Problem& p) {
   return Answer() << bezier_points(c.knots, c.points(), p.integer("k"));
 }
 
+/// The side of cell i at any parameter.
+Answer side(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << cell_point(c.knots, c.points(), p.integer("i"), p.number("t"));
+}
+
+/// c_i from the Bezier points c of piece k.
+Answer vertex_of_piece(const Problem& p) {
+  const KnotList<Q> u = p.knots();
+  return Answer() << spline_vertex<Q, Point3>(u, p.points<3>("c"), p.integer("k"), p.integer("i"));
+}
+
+Answer rulings(const Problem& p) {
+  const auto c = p.spline<3>();
+  return Answer() << eq16_rulings<Q, Point3>(c.knots, c.points(), p.number("L"), p.number("M"), p.point<3>("d"));
+}
+
 Answer insertion(const Problem& p) {
   const auto finer = insert_knot(p.spline<3>(), p.number("t"));
   return Answer() << finer.knots.list() << finer.control;
@@ -177,6 +194,9 @@ const Table& over_knots() {
       {"restricted_points", pieces},
       {"bezier_points", bezier},
       {"insert_knot", insertion},
+      {"cell_point", side},
+      {"spline_vertex", vertex_of_piece},
+      {"eq16_rulings", rulings},
   };
   return table;
 }

@@ -1,6 +1,7 @@
 // The functions of the comparison by name.
 //   Function, Table           from a problem to the answer of the library, by name
-//   over_knots, of_rulings, of_mappings, of_polynomials, of_one_piece, of_changes, of_running  all of them
+//   over_knots, of_rulings, of_mappings, of_polynomials, of_one_piece, of_changes, of_directrices,
+//   of_surfaces, of_running   all of them
 #pragma once
 
 #include <map>
@@ -25,6 +26,10 @@ const Table& of_polynomials();
 const Table& of_one_piece();
 /// Those of FJ21 that change the functions Lam, M, sigma, and the edge of regression.
 const Table& of_changes();
+/// The rulings of a directrix, ZW06.
+const Table& of_directrices();
+/// Splines over more knots and of a higher degree, the conditions of BZZ19 and its surface.
+const Table& of_surfaces();
 /// Running error analysis of doubles.
 const Table& of_running();
 
