@@ -118,7 +118,6 @@ std::function<void(const fuzz::Advance&)> progress_line(bool shown) {
     std::fprintf(stderr, "\r\033[K[%s%s] %s cases, %s failed", fmt::format("{}", advance.units).c_str(),
                  countable ? fmt::format("/{}", advance.left).c_str() : "", fmt::format("{}", advance.cases).c_str(),
                  fmt::format("{}", advance.failed).c_str());
-    std::fflush(stderr);
   };
 }
 

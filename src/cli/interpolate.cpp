@@ -71,7 +71,7 @@ std::vector<RealRoot> find_branches(const ConstructFile<Q>& input) {
   }
 }
 
-Q branch_value(const RealRoot& root) { return root.rational() ? root.lower : (root.lower + root.upper) / Q(2); }
+Q branch_value(const RealRoot& root) { return (root.lower + root.upper) / Q(2); }
 
 /// An upper bound, in degrees, of the angle between two lines: x <= (pi/2) sin x, every step rounded up.
 double angle_bound(const Point3& a, const Point3& b) {

@@ -106,7 +106,6 @@ std::function<void(std::size_t, std::size_t)> progress_line() {
   return [](std::size_t done, std::size_t all) {
     std::fprintf(stderr, "\r\033[K[%zu/%zu]", done, all);
     if (done == all) std::fputs("\r\033[K", stderr);
-    std::fflush(stderr);
   };
 }
 

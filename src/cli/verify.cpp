@@ -79,7 +79,6 @@ proofs::Progress progress_line(bool shown) {
   return [](std::size_t done, std::size_t all, const Finding& latest) {
     std::fprintf(stderr, "\r\033[K[%zu/%zu] %s %s", done, all, latest.claim.c_str(), latest.engine.c_str());
     if (done == all) std::fputs("\r\033[K", stderr);
-    std::fflush(stderr);
   };
 }
 

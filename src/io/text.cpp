@@ -35,7 +35,9 @@ std::string printable(std::string_view text) {
   while (!text.empty()) {
     std::size_t length = character_length(text);
     const auto first = static_cast<unsigned char>(text.front());
-    if (length == 0 || first < 0x20 || first == 0x7F) {
+    const bool control =
+        first < 0x20 || first == 0x7F || (length == 2 && first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0);
+    if (length == 0 || control) {
       append_byte(out, text.front());
       length = 1;
     } else {

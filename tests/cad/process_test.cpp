@@ -1,8 +1,10 @@
 // The plugin in its child process: answers come back, whatever goes wrong there is one error here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,6 +40,32 @@ TEST(CadProcess, FailuresOfTheChildAreErrorsOfTheFile) {
   EXPECT_EQ(error_of([](CadFormats&) -> std::string { throw Error("no faces"); }), "part.step: no faces");
   EXPECT_THAT(error_of([](CadFormats&) -> std::string { std::abort(); }), HasSubstr("it crashed"));
   EXPECT_THAT(error_of([](CadFormats&) -> std::string { std::_Exit(3); }), HasSubstr("it crashed"));
+}
+
+/// The child holds an end of a pipe, which closes when it ends.
+TEST(CadProcess, TheChildEndsWithItsParent) {
+  int held[2];
+  ASSERT_EQ(pipe(held), 0);
+  const pid_t parent = fork();
+  ASSERT_GE(parent, 0);
+  if (parent == 0) {
+    close(held[0]);
+    error_of([&](CadFormats&) -> std::string {
+      const pid_t child = getpid();
+      while (write(held[1], &child, sizeof child) == sizeof child) pause();
+      return "";
+    });
+    std::_Exit(1);
+  }
+  close(held[1]);
+  pid_t child = 0;
+  ASSERT_EQ(read(held[0], &child, sizeof child), static_cast<ssize_t>(sizeof child));
+  kill(parent, SIGKILL);
+  EXPECT_EQ(waitpid(parent, nullptr, 0), parent);
+  pollfd end{held[0], POLLIN, 0};
+  EXPECT_EQ(poll(&end, 1, 5000), 1) << "it goes on";
+  close(held[0]);
+  kill(child, SIGKILL);
 }
 
 TEST(CadProcess, AChildThatTakesLongerThanItMayIsAnError) {

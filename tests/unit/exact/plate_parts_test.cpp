@@ -44,6 +44,21 @@ TEST(PlateDeviation, OfStraightRailsIsThatOfTheirVertices) {
   }
 }
 
+TEST(PlateRulings, AreMarkedInAnyOrder) {
+  const KnotList<Q> u = bezier_knots<Q>(1);
+  const auto strips = piece_strips(u, rows({{0, 0, 0}, {1, 2, 0}}), rows({{0, 3, 0}, {2, 4, 0}}));
+  const auto marked = [&](std::vector<Q> marks) {
+    std::vector<Q> parameters;
+    for (const PlateRuling& ruling : unroll_plate(strips, {1e-2, std::move(marks), 0, false}).rulings) {
+      parameters.push_back(ruling.t);
+    }
+    return parameters;
+  };
+  const std::vector<Q> expected{Q(0), ratio<Q>(1, 4), ratio<Q>(1, 2), ratio<Q>(3, 4), Q(1)};
+  EXPECT_EQ(marked(expected), expected);
+  EXPECT_EQ(marked({ratio<Q>(3, 4), ratio<Q>(1, 4), Q(1), ratio<Q>(1, 2), Q(0)}), expected);
+}
+
 /// A square of which the first ruling, of length 5, goes from 0 to 5 i and the last from 5 to 5 + 5 i.
 TEST(Development, TheFirstRulingPointsUp) {
   const KnotList<Q> u = bezier_knots<Q>(1);
