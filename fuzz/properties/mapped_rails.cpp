@@ -86,7 +86,14 @@ void check_surface(const In& in, const Mapping<Q>& sigma) {
   }
 }
 
-/// A mapping that goes a little beyond an end of the second rail is refused.
+/// Whether a knot of the first rail lies inside the mapping's domain, so that its pieces are looked at in parts.
+bool cut_by_first_rail(const In& in, const Mapping<Q>& sigma) {
+  const auto inside = [&](const Q& t) { return sigma.knots.domain_begin() < t && t < sigma.knots.domain_end(); };
+  return std::ranges::any_of(plain::breaks_of(in.c.knots), inside);
+}
+
+/// A mapping that goes a little beyond an end of the second rail is refused as such, or because another part of its
+/// last piece passes a knot now.
 void check_refused(const In& in, const Mapping<Q>& sigma) {
   const KnotList<Q>& u = in.d.knots;
   const Q little = (u.domain_end() - u.domain_begin()) / Q(1'000'000);
@@ -101,7 +108,8 @@ void check_refused(const In& in, const Mapping<Q>& sigma) {
     } catch (const InvalidInput& error) {
       reason = error.what();
     }
-    require(reason.starts_with("sigma: expected values within the second rail's domain"),
+    require(reason.starts_with("sigma: expected values within the second rail's domain") ||
+                (cut_by_first_rail(in, beyond) && reason.starts_with("sigma: expected its knots where it passes")),
             "a mapping beyond the second rail's ends is not refused as such");
   }
 }
