@@ -74,7 +74,7 @@ void MonotoneModel::solve_tied(const BandedMatrix& h, std::span<const double> ta
     unknowns_[a] = value;
   };
   if (tied_[0]) fix(0, 0);
-  if (tied_[n] && (groups > 1 || !tied_[0])) fix(groups - 1, 1);
+  if (tied_[n]) fix(groups - 1, 1);
   reduced_.solve(unknowns_);
   for (std::size_t i = 0; i < n; ++i) x_[i] = unknowns_[group_[i]];
 }

@@ -207,6 +207,12 @@ TEST(StudyReport, WrongVerdictsByHand) {
   EXPECT_EQ(level.false_yes, 1U);
   EXPECT_NE(printed(verdicts, summary).find("double, 0                          1/2       2/3\n"), std::string::npos)
       << printed(verdicts, summary);
+  const Json plot = study_section(verdicts, summary)["plots"][0];
+  EXPECT_EQ(plot["series"], Json::parse(R"([{"name": "double, 0", "points": [[1, 50.0], [4, 66.66666666666667]]}])"));
+  EXPECT_EQ(plot["title"], "Wrong verdicts by pieces");
+  lines.resize(2);  // nothing is known of 4 pieces
+  EXPECT_EQ(study_section(verdicts, summary_of(verdicts, lines))["plots"][0]["series"][0]["points"],
+            Json::parse("[[1, 50.0]]"));
 }
 
 }  // namespace
