@@ -1,6 +1,7 @@
 #include "torse/exact/quasi/simplify.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -135,8 +136,12 @@ ExactSurface exact_surface(const KnotSearch::State& state, int degree, const Exa
                       row(state.fit.d, like.d.front(), like.d.back()));
 }
 
-/// An upper bound of the root of x.
-double root_above(const Q& x) { return x.sign() == 0 ? 0 : upper_root(-detail::next_below(-x.to_double())); }
+/// An upper bound of the root of x, the root itself where that is a double.
+double root_above(const Q& x) {
+  const double root = std::sqrt(x.to_double());
+  if (Q::from_double(root) * Q::from_double(root) == x) return root;
+  return upper_root(-detail::next_below(-x.to_double()));
+}
 
 void check(const ExactSurface& surface, int degree, const Q& tolerance) {
   if (tolerance.sign() <= 0) throw InvalidInput("tolerance", "expected a positive length, found " + as_text(tolerance));
@@ -160,7 +165,9 @@ std::optional<SimplifiedSurface> with_fewest_knots(const ExactSurface& surface, 
     if (!state) return std::nullopt;
     ExactSurface exact = exact_surface(*state, degree, surface);
     const Q square = largest_deviation(exact, surface);
-    if (!(tolerance * tolerance < square)) return SimplifiedSurface{std::move(exact), root_above(square)};
+    if (tolerance * tolerance < square) continue;
+    const double distance = root_above(square);
+    if (!(tolerance < Q::from_double(distance))) return SimplifiedSurface{std::move(exact), distance};
   }
   return std::nullopt;
 }

@@ -19,7 +19,7 @@ using ExactSurface = RuledSpline<Rational, Vec<Rational, 3>>;
 struct SimplifiedSurface {
   ExactSurface surface;
   /// No point is further than this from the point of the given surface with the same parameters: an upper bound from
-  /// exact arithmetic.
+  /// exact arithmetic, not above the tolerance.
   double distance;
 };
 

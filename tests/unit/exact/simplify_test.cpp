@@ -77,6 +77,18 @@ void expect_near(const SimplifiedSurface& found, const ExactSurface& surface, co
   }
 }
 
+/// A bend of height h whose straight line is just as far as is allowed: 2 is a double, 2/3 has a root above it.
+TEST(Simplified, AsFarAsTheTolerance) {
+  for (const Q& h : {Q(2), ratio<Q>(2, 3)}) {
+    const std::vector<P> bend{P(Q(0), Q(0), Q(0)), P(Q(4), h, Q(0)), P(Q(8), Q(0), Q(0))};
+    const std::vector<P> line{P(Q(0), Q(0), Q(1)), P(Q(4), Q(0), Q(1)), P(Q(8), Q(0), Q(1))};
+    const SimplifiedSurface found = with_fewest_points(ExactSurface(uniform(1, 2), bend, line), h);
+    EXPECT_LE(Q::from_double(found.distance), h);
+    EXPECT_EQ(found.surface.c.size(), h == Q(2) ? 2U : 3U);
+    EXPECT_EQ(found.distance, h == Q(2) ? 2 : 0);
+  }
+}
+
 TEST(Simplify, ACubicInDisguiseIsFoundAgain) {
   // sigma = t over superfluous knots: the rows are the cubic rails with one knot at 1/2, raised to degree 6.
   const Spline<Q, P> c1 = rail(3, 2, 3, 0);
