@@ -106,7 +106,7 @@ TEST_F(Study, AnotherRunsJournalIsRefused) {
           static_cast<char*>(nullptr));
     _exit(127);
   }
-  for (int i = 0; i < 500 && !std::filesystem::exists(scratch / "k.part"); ++i) {
+  for (int i = 0; i < 6000 && !std::filesystem::exists(scratch / "k.part"); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
