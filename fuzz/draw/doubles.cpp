@@ -15,8 +15,10 @@ double signed_part(std::uint64_t drawn) {
 
 /// The length of the next knot interval, zero for a repeated knot.
 double draw_step(Choices& choices, std::uint64_t kind) {
-  if (kind == 1)
-    return std::ldexp(1 + static_cast<double>(choices.below(1U << 20U)) * 0x1p-20, choices.between(-30, 30));
+  if (kind == 1) {
+    const double share = static_cast<double>(choices.below(1U << 20U)) * 0x1p-20;
+    return std::ldexp(1 + share, choices.between(-30, 30));
+  }
   if (kind == 2 && choices.once_in(3)) return 0;
   return kind == 0 ? 1 : 0.125 * static_cast<double>(1 + choices.below(64));
 }

@@ -105,9 +105,10 @@ Knots draw_knots(Choices& choices, const Scale& scale, int degree, int count, Sp
     object.add("knots", list_tree(choices, meant.knots));
     return Knots::papers;
   }
-  std::vector<Rational> cad{meant.knots.front() - draw_positive(choices, scale) * Rational(choices.between(0, 1))};
+  const auto step = [&] { return choices.once_in(2) ? Rational(0) : draw_positive(choices, scale); };
+  std::vector<Rational> cad{meant.knots.front() - step()};
   cad.insert(cad.end(), meant.knots.begin(), meant.knots.end());
-  cad.push_back(cad.back() + draw_positive(choices, scale) * Rational(choices.between(0, 1)));
+  cad.push_back(cad.back() + step());
   object.add("knots", list_tree(choices, cad));
   return Knots::cad;
 }

@@ -95,8 +95,10 @@ SpaceMap draw_space_map(Choices& choices, const Scale& scale, bool projective) {
       return draw_motion(choices, scale);
     case 2:
       return draw_similarity(choices, scale);
-    case 3:
-      return affine("affine", draw_matrix<3>(choices), draw_vector(choices, scale));
+    case 3: {
+      const Matrix<3> linear = draw_matrix<3>(choices);
+      return affine("affine", linear, draw_vector(choices, scale));
+    }
     default:
       const Matrix<4> m = draw_matrix<4>(choices);
       return {"projective", {m.begin(), m.end()}};

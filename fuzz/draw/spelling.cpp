@@ -60,7 +60,8 @@ std::string with_point(std::string digits, std::size_t places) {
 std::string exponent_text(Choices& choices, const char* letters, int exponent) {
   if (exponent == 0 && choices.below(2) == 0) return {};
   const std::string sign = exponent < 0 ? "-" : choices.once_in(2) ? "+" : "";
-  return letters[choices.below(2)] + sign + zeros(choices) + std::to_string(exponent < 0 ? -exponent : exponent);
+  const std::string letter(1, letters[choices.below(2)]);
+  return letter + sign + zeros(choices) + std::to_string(exponent < 0 ? -exponent : exponent);
 }
 
 std::string fraction_text(Choices& choices, const Rational& x) {
@@ -73,8 +74,9 @@ std::string fraction_text(Choices& choices, const Rational& x) {
   }
   const Rational factor(choices.between(1, 9));
   const auto times_factor = [&](const std::string& digits) { return (Rational::from_text(digits) * factor).text(); };
-  return sign_text(choices, x.sign() < 0) + zeros(choices) + times_factor(text) + '/' + zeros(choices) +
-         times_factor(denominator);
+  const std::string sign = sign_text(choices, x.sign() < 0);
+  const std::string above = zeros(choices) + times_factor(text);
+  return sign + above + '/' + zeros(choices) + times_factor(denominator);
 }
 
 /// |x| = digits * base^-k, then the point anywhere and an exponent that makes up for it.
@@ -84,8 +86,8 @@ std::string decimal_text(Choices& choices, const Rational& x, int k) {
   const std::string digits = (size * power(10, k)).text();
   const int places = choices.between(0, 4) == 0 ? k : choices.between(0, static_cast<int>(digits.size()) + 2);
   const std::string lead = choices.once_in(8) ? zeros(choices) : "";
-  return sign_text(choices, x.sign() < 0) + lead + with_point(digits, static_cast<std::size_t>(places)) +
-         exponent_text(choices, "eE", places - k);
+  const std::string sign = sign_text(choices, x.sign() < 0);
+  return sign + lead + with_point(digits, static_cast<std::size_t>(places)) + exponent_text(choices, "eE", places - k);
 }
 
 std::string hexadecimal_text(Choices& choices, const Rational& x, int k) {
@@ -96,8 +98,10 @@ std::string hexadecimal_text(Choices& choices, const Rational& x, int k) {
   if (choices.once_in(2)) {
     std::ranges::transform(digits, digits.begin(), [](char c) { return c >= 'a' ? static_cast<char>(c - 32) : c; });
   }
-  return sign_text(choices, x.sign() < 0) + (choices.once_in(2) ? "0X" : "0x") + zeros(choices) +
-         with_point(digits, static_cast<std::size_t>(places)) + exponent_text(choices, "pP", 4 * places - k);
+  std::string text = sign_text(choices, x.sign() < 0);
+  text += choices.once_in(2) ? "0X" : "0x";
+  text += zeros(choices) + with_point(digits, static_cast<std::size_t>(places));
+  return text + exponent_text(choices, "pP", 4 * places - k);
 }
 
 struct Rule {

@@ -78,7 +78,8 @@ DoubleNetProperty::In DoubleNetProperty::draw_sized(Choices& choices, int degree
   in.piece = pieces[choices.below(pieces.size())];
   in.share = static_cast<double>(1 + choices.below(1023)) * 0x1p-10;
   if (choices.once_in(2)) {
-    in.moved = 3 * (in.piece - 1 + choices.between(0, degree)) + choices.between(0, 2);  // a vertex of the piece
+    in.moved = 3 * (in.piece - 1 + choices.between(0, degree));  // a vertex of the piece
+    in.moved += choices.between(0, 2);
     in.shift = std::ldexp(1, -choices.between(0, 60));
   }
   in.exact = choices.once_in(512);

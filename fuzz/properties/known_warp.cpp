@@ -107,7 +107,8 @@ KnownWarp::In KnownWarp::draw(Choices& choices, const Scale& scale, Labels& labe
   Rational t = choices.once_in(2) ? draw_fraction(choices, 3) : Rational();
   in.knots = {t};
   for (int i = choices.between(1, scale.pieces + 2); i > 0; --i) {
-    t += Rational(choices.between(1, 8)) / Rational(choices.between(1, 16));
+    const Rational above(choices.between(1, 8));
+    t += above / Rational(choices.between(1, 16));
     in.knots.push_back(t);
   }
   in.motion = choices.once_in(2) ? draw_similarity(choices, scale) : identity_map();

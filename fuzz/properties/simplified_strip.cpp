@@ -82,8 +82,8 @@ const PropertyInfo& SimplifiedStrip::info() {
 }
 
 SimplifiedStrip::In SimplifiedStrip::draw(Choices& choices, const Scale& scale, Labels& labels) {
-  In in{draw_clamped(choices, choices.between(1, std::min(scale.degree, 4)),
-                     choices.between(1, std::min(scale.pieces, 4)))};
+  const int degree = choices.between(1, std::min(scale.degree, 4));
+  In in{draw_clamped(choices, degree, choices.between(1, std::min(scale.pieces, 4)))};
   const int count = in.knots.last() + 1;
   const bool smooth = choices.once_in(2);
   in.c = draw_row(choices, count, smooth);
