@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "torse/exact/quasi/least_squares.hpp"
+#include "torse/exact/repair/real.hpp"
 #include "torse/quasi/deviation.hpp"
 #include "torse/scalar/interval.hpp"
 
@@ -136,11 +137,14 @@ ExactSurface exact_surface(const KnotSearch::State& state, int degree, const Exa
                       row(state.fit.d, like.d.front(), like.d.back()));
 }
 
-/// An upper bound of the root of x, the root itself where that is a double.
+/// An upper bound of the root of x >= 0, the root itself where that is a double; infinite beyond the doubles.
 double root_above(const Q& x) {
-  const double root = std::sqrt(x.to_double());
-  if (Q::from_double(root) * Q::from_double(root) == x) return root;
-  return upper_root(-detail::next_below(-x.to_double()));
+  const int half = (static_cast<int>(x.numerator_bits()) - static_cast<int>(x.denominator_bits())) / 2;
+  const double near_one = (x / repair::power_of_two(2 * half)).to_double();
+  double root = std::ldexp(std::sqrt(near_one), half);
+  const auto is_below = [&] { return Q::from_double(root) * Q::from_double(root) < x; };
+  while (std::isfinite(root) && is_below()) root = std::nextafter(root, detail::infinity);
+  return root;
 }
 
 void check(const ExactSurface& surface, int degree, const Q& tolerance) {
@@ -167,7 +171,8 @@ std::optional<SimplifiedSurface> with_fewest_knots(const ExactSurface& surface, 
     const Q square = largest_deviation(exact, surface);
     if (tolerance * tolerance < square) continue;
     const double distance = root_above(square);
-    if (!(tolerance < Q::from_double(distance))) return SimplifiedSurface{std::move(exact), distance};
+    if (std::isfinite(distance) && Q::from_double(distance) <= tolerance)
+      return SimplifiedSurface{std::move(exact), distance};
   }
   return std::nullopt;
 }

@@ -77,6 +77,17 @@ void expect_near(const SimplifiedSurface& found, const ExactSurface& surface, co
   }
 }
 
+/// The squares of the large one are beyond the doubles.
+TEST(Simplified, OfAnySize) {
+  for (const double size : {0x1p700, 0x1p-500}) {
+    const Q s = Q::from_double(size);
+    const std::vector<P> bend{P(Q(0), Q(0), Q(0)), P(Q(4) * s, Q(2) * s, Q(0)), P(Q(8) * s, Q(0), Q(0))};
+    const std::vector<P> line{P(Q(0), Q(0), s), P(Q(4) * s, Q(0), s), P(Q(8) * s, Q(0), s)};
+    const SimplifiedSurface found = with_lowest_degree(ExactSurface(uniform(1, 2), bend, line), Q(2) * s);
+    EXPECT_EQ(found.distance, 2 * size);
+  }
+}
+
 /// A bend of height h whose straight line is just as far as is allowed: 2 is a double, 2/3 has a root above it.
 TEST(Simplified, AsFarAsTheTolerance) {
   for (const Q& h : {Q(2), ratio<Q>(2, 3)}) {
