@@ -35,6 +35,7 @@ export async function launch(): Promise<Browser> {
   if (path === undefined) throw new Error("there is no Chromium");
   return chromium.launch({
     executablePath: path,
+    timeout: 300000,
     args: [
       "--no-sandbox",
       "--use-gl=angle",
@@ -57,6 +58,8 @@ export interface Opened {
 
 export async function openPage(browser: Browser, path: string, options: BrowserContextOptions = {}): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  // As long as it takes: a busy machine is no fault of the page.
+  context.setDefaultTimeout(300000);
   const page = await context.newPage();
   const complaints: string[] = [];
   page.on("console", (message) => {

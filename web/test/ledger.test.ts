@@ -100,6 +100,7 @@ test("a claim opens to its engines, whose commands run", async () => {
   const { page } = await openPage(browser, file);
   const card = page.locator('[id="FJ07.4"]');
   await card.locator("summary").click();
+  await card.locator("tbody tr").first().waitFor();
   const claim = claims.find(({ id }) => id === "FJ07.4") as Claim;
   const rows = await card.locator("tbody tr").evaluateAll((list) => list.map((row) => [...row.children].map((cell) => cell.textContent ?? "")));
   assert.deepEqual(rows.map((row) => row[0]), claim.engines.map((finding) => finding.engine));
@@ -144,6 +145,7 @@ for (const scheme of ["light", "dark"] as const) {
     torse(["verify", "--effort", "quick", "--claim", "FJ07.C3", "--claim", "BZZ19.11", "--html", few]);
     const { page } = await openPage(browser, few, { colorScheme: scheme });
     await page.locator('[id="FJ07.C3"] summary').click();
+    await page.locator('[id="FJ07.C3"] tbody tr').first().waitFor();
     assert.deepEqual(await audit(page), []);
     await page.getByRole("button", { name: "colours" }).click();
     assert.deepEqual(await audit(page), []);

@@ -26,12 +26,14 @@ after(async () => {
 
 const reportOf = (page: Page): Promise<Report> => page.evaluate(() => JSON.parse(document.getElementById("report")?.textContent ?? "") as Report);
 
-/** How many different colours a canvas shows, and a fingerprint of its pixels. */
+/** How many different colours a canvas shows when its drawing is done, and a fingerprint of its pixels. */
 async function pixels(canvas: Locator): Promise<{ colours: number; sum: number }> {
   await canvas.scrollIntoViewIfNeeded();
   await canvas.and(canvas.page().locator("[data-drawn]")).waitFor();
-  await canvas.page().waitForTimeout(300);
-  return canvas.evaluate((element: HTMLCanvasElement) => {
+  return canvas.evaluate(async (element: HTMLCanvasElement) => {
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+    // A layout that changes is told to the page between frames, and asks for another drawing.
+    for (let drawn = 0; drawn < 5; drawn = element.dataset["drawn"] === undefined ? 0 : drawn + 1) await frame();
     const data = element.getContext("2d")?.getImageData(0, 0, element.width, element.height).data ?? new Uint8ClampedArray();
     const colours = new Set<number>();
     let sum = 0;

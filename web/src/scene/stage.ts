@@ -1,5 +1,6 @@
 // One WebGL renderer for all views: it draws a view when that is visible and has changed, and copies the picture to the view's own canvas.
 //   View       what a canvas shows      show       makes a canvas a view
+// A canvas has the attribute data-drawn while it shows what it should.
 import * as three from "three";
 import { onTheme } from "../theme.ts";
 
@@ -91,7 +92,10 @@ const seen = new IntersectionObserver(
 
 function touch(target: Element): void {
   const shown = all.get(target);
-  if (shown !== undefined) shown.stale = true;
+  if (shown !== undefined) {
+    shown.stale = true;
+    delete shown.view.canvas.dataset["drawn"];
+  }
   schedule();
 }
 
