@@ -41,6 +41,9 @@ export async function launch(): Promise<Browser> {
       "--use-gl=angle",
       "--use-angle=swiftshader",
       "--enable-unsafe-swiftshader",
+      // Drawing slowly is no sign of a process that hangs.
+      "--disable-gpu-watchdog",
+      "--disable-hang-monitor",
       "--disable-quic",
       "--no-first-run",
       "--disable-background-networking",
