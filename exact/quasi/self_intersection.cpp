@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "torse/algebra/bernstein.hpp"
-#include "torse/algebra/determinant.hpp"
 #include "torse/developable/warp.hpp"
+#include "torse/exact/quasi/ruling_order.hpp"
 #include "torse/exact/quasi/strip_crossing.hpp"
 #include "torse/exact/warp/quotient.hpp"
 #include "torse/scalar/builtin.hpp"
@@ -30,8 +32,11 @@ constexpr int most_halvings = 30;
 constexpr long most_exact = 60;
 constexpr long pairs_per_exact = 300;
 
+/// The work for a run is the square of its length.
+constexpr std::size_t most_together = 16;
+
 /// A part of this share of a piece is small enough to look for a crossing by Newton's method.
-constexpr int promising_halvings = 6;
+constexpr int promising_halvings = 2;
 
 double middle(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
 
@@ -165,17 +170,19 @@ bool separated(const Part& x, const Part& y) {
          separated_along(x, y, at_middle(y.hull) - at_middle(x.hull));
 }
 
-/// The Bernstein coefficients of the directions on a part.
-template <class S>
-struct Tangents {
-  std::vector<Vec<S, 3>> w;
-  std::vector<Vec<S, 3>> rails;  ///< those of a, then those of b
-};
+template <class Row>
+std::vector<Row> joined(std::vector<Row> row, const std::vector<Row>& more) {
+  row.insert(row.end(), more.begin(), more.end());
+  return row;
+}
 
-Tangents<Interval> rounded_tangents(const Part& part) {
-  Tangents<Interval> tangents{part.w, part.a};
-  tangents.rails.insert(tangents.rails.end(), part.b.begin(), part.b.end());
-  return tangents;
+RulingTangents<Interval> rounded_tangents(const Part& part) { return {part.w, joined(part.a, part.b)}; }
+
+RulingTangents<double> middles(const RulingTangents<Interval>& tangents) {
+  RulingTangents<double> result;
+  for (const Box& w : tangents.w) result.w.push_back(middle(w));
+  for (const Box& tangent : tangents.rails) result.rails.push_back(middle(tangent));
+  return result;
 }
 
 /// Three forms on a part of [0, 1], exactly.
@@ -196,69 +203,56 @@ std::vector<Vec<Q, 3>> exact_row(const FormVector<Q>& forms, const Part& part) {
   return row;
 }
 
-Tangents<Q> exact_tangents(const Part& part) {
-  Tangents<Q> tangents{exact_row(part.forms->w, part), exact_row(part.forms->a, part)};
-  const std::vector<Vec<Q, 3>> b = exact_row(part.forms->b, part);
-  tangents.rails.insert(tangents.rails.end(), b.begin(), b.end());
-  return tangents;
+RulingTangents<Q> exact_tangents(const Part& part) {
+  return {exact_row(part.forms->w, part), joined(exact_row(part.forms->a, part), exact_row(part.forms->b, part))};
 }
 
-/// Whether all det(e, w_j, a_i), det(e, w_j, b_i) are at least 0 and not all 0; `no` for a product below 0, `unknown`
-/// where rounding hides a sign. With a . (e x w) they are minus the products of a with w x e.
-template <class S>
-Truth on_one_side(const std::vector<Tangents<S>>& parts, const Vec<S, 3>& e) {
-  Truth all = Truth::yes;
-  Truth none = Truth::yes;
-  for (const Tangents<S>& of : parts) {
-    for (const Vec<S, 3>& w : of.w) {
-      const Vec<S, 3> side = cross(w, e);
-      for (const Tangents<S>& other : parts) {
-        for (const Vec<S, 3>& tangent : other.rails) {
-          const S product = dot(side, tangent);
-          all = all & !less(product, from_int<S>(0));
-          none = none & is_zero(product);
-          if (all == Truth::no) return all;
-        }
-      }
+/// Parts of the strip one behind the other, and a direction by which their rulings may be in order.
+class Run {
+ public:
+  explicit Run(std::vector<const Part*> parts) : parts_(std::move(parts)) {
+    std::vector<RulingTangents<double>> rounded;
+    for (const Part* part : parts_) {
+      tangents_.push_back(rounded_tangents(*part));
+      rounded.push_back(middles(tangents_.back()));
     }
+    e_ = common_side(rounded);
   }
-  return all & !none;
-}
 
-/// The direction e: the mean normal of both.
-Direction side_of(const Part& x, const Part& y) { return (normal_of(x) + normal_of(y)).normalized(); }
+  /// Whether all rulings leave each other to the same side.
+  Truth in_order() const { return e_.allFinite() ? on_one_side<Interval>(tangents_, as_box(e_)) : Truth::unknown; }
 
-/// Whether all rulings of one part, or of two neighbouring ones, leave each other to the same side.
-Truth in_order(const Part& x, const Part& y) {
-  const Direction e = side_of(x, y);
-  if (!e.allFinite()) return Truth::unknown;
-  return on_one_side<Interval>({rounded_tangents(x), rounded_tangents(y)}, as_box(e));
-}
+  /// The same without rounding, for products that vanish: a rail along its ruling, or at rest.
+  Truth in_order_exactly() const {
+    if (!e_.allFinite()) return Truth::unknown;
+    std::vector<RulingTangents<Q>> tangents;
+    for (const Part* part : parts_) tangents.push_back(exact_tangents(*part));
+    return on_one_side<Q>(tangents, Vec<Q, 3>(Q::from_double(e_[0]), Q::from_double(e_[1]), Q::from_double(e_[2])));
+  }
 
-/// The same without rounding, for products that vanish: a rail along its ruling, or at rest.
-Truth in_order_exactly(const Part& x, const Part& y) {
-  const Direction e = side_of(x, y);
-  if (!e.allFinite()) return Truth::unknown;
-  const Vec<Q, 3> axis(Q::from_double(e[0]), Q::from_double(e[1]), Q::from_double(e[2]));
-  return on_one_side<Q>({exact_tangents(x), exact_tangents(y)}, axis);
-}
+ private:
+  std::vector<const Part*> parts_;
+  std::vector<RulingTangents<Interval>> tangents_{};
+  Direction e_{};
+};
 
 class Search {
  public:
-  Search(std::vector<std::unique_ptr<Part>>& parts, bool closed, const CrossingFinder& finder, long most_pairs)
+  Search(std::span<const std::unique_ptr<Part>> parts, bool closed, const CrossingFinder& finder, long most_pairs)
       : last_(static_cast<double>(parts.size())),
         closed_(closed),
         finder_(finder),
         left_(most_pairs),
         exact_left_(static_cast<int>(std::min(most_pairs / pairs_per_exact, most_exact))) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      for (std::size_t j = i; j < parts.size() && !witness_ && left_ > 0; ++j) look_at(*parts[i], *parts[j]);
+    begin_with(parts);
+    for (; !pairs_.empty() && !witness_ && left_ > 0; pairs_.pop_front()) {
+      look_at(*pairs_.front().first, *pairs_.front().second);
     }
   }
 
   SelfIntersection result() const {
     if (witness_) return {Truth::yes, witness_};
-    return {decided_ && left_ > 0 ? Truth::no : Truth::unknown};
+    return {decided_ && pairs_.empty() ? Truth::no : Truth::unknown};
   }
 
  private:
@@ -266,41 +260,60 @@ class Search {
     return &x == &y || x.end == y.begin || (closed_ && x.begin == 0 && y.end == last_);
   }
 
+  /// All pairs of pieces that are not in one run in order.
+  void begin_with(std::span<const std::unique_ptr<Part>> pieces) {
+    if (pieces.size() == 1) {
+      pairs_.emplace_back(pieces[0].get(), pieces[0].get());
+    } else if (pieces.size() > most_together || !in_order(pieces)) {
+      const auto left = pieces.first(pieces.size() / 2);
+      const auto right = pieces.subspan(left.size());
+      begin_with(left);
+      begin_with(right);
+      for (const auto& x : left) {
+        for (const auto& y : right) pairs_.emplace_back(x.get(), y.get());
+      }
+    }
+  }
+
+  static bool in_order(std::span<const std::unique_ptr<Part>> pieces) {
+    std::vector<const Part*> parts;
+    for (const auto& piece : pieces) parts.push_back(piece.get());
+    return Run(parts).in_order() == Truth::yes;
+  }
+
   bool settled(const Part& x, const Part& y) {
-    const Truth rounded = in_order(x, y);
+    const Run run(&x == &y ? std::vector<const Part*>{&x} : std::vector<const Part*>{&x, &y});
+    const Truth rounded = run.in_order();
     if (rounded != Truth::unknown || exact_left_ == 0) return rounded == Truth::yes;
     --exact_left_;
-    return in_order_exactly(x, y) == Truth::yes;
+    return run.in_order_exactly() == Truth::yes;
   }
 
   void look_at(Part& x, Part& y) {
-    if (witness_ || --left_ <= 0) return;
+    --left_;
     if (neighbours(x, y) ? settled(x, y) : separated(x, y)) return;
     if (x.halvings == most_halvings || y.halvings == most_halvings) {
       decided_ = false;
       return;
     }
-    if (&x != &y && x.halvings == promising_halvings && y.halvings == promising_halvings) {
+    if (&x != &y && x.halvings >= promising_halvings && x.halvings == y.halvings) {
       witness_ = finder_.near((x.begin + x.end) / 2, (y.begin + y.end) / 2);
-    }
-    if (&x == &y) {
-      split(x);
-      look_at(*x.halves[0], *x.halves[1]);
-      look_at(*x.halves[0], *x.halves[0]);
-      look_at(*x.halves[1], *x.halves[1]);
-      return;
     }
     Part& longer = x.end - x.begin >= y.end - y.begin ? x : y;
     split(longer);
-    for (const auto& half : longer.halves) {
-      if (&longer == &x) {
-        look_at(*half, y);
-      } else {
-        look_at(x, *half);
-      }
+    const auto& [first, second] = longer.halves;
+    if (&x == &y) {
+      pairs_.insert(pairs_.end(),
+                    {{first.get(), second.get()}, {first.get(), first.get()}, {second.get(), second.get()}});
+    } else if (&longer == &x) {
+      pairs_.insert(pairs_.end(), {{first.get(), &y}, {second.get(), &y}});
+    } else {
+      pairs_.insert(pairs_.end(), {{&x, first.get()}, {&x, second.get()}});
     }
   }
 
+  /// The larger ones first: one that does not tell keeps none from being looked at.
+  std::deque<std::pair<Part*, Part*>> pairs_{};
   double last_;
   bool closed_;
   const CrossingFinder& finder_;

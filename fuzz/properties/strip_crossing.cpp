@@ -108,7 +108,7 @@ const PropertyInfo& StripCrossing::info() {
                                  "never said to, and the crossing that is named is one",
                                  2,
                                  {"cannot=no", "crosses=yes"},
-                                 {"cannot=no"}};
+                                 {"cannot=no", "crosses=yes"}};
   return info;
 }
 

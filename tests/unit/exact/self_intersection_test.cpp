@@ -100,6 +100,50 @@ TEST(SelfIntersection, AHelixDoesNot) {
   expect_witness(u, c, raised(c, Q(4)));
 }
 
+/// Whitney's umbrella (t v, t^2, v): the rulings of t and -t cross at (0, t^2, 0), nearer and nearer to t = 0, where a
+/// ruling and its neighbours do not tell.
+TEST(SelfIntersection, RulingsCrossUpToAPinchPoint) {
+  const KnotList<Q> u = bezier_knots<Q>(2);
+  for (const Q& begin : {Q(-1), ratio<Q>(-1, 7), ratio<Q>(-1, 50)}) {
+    // t from `begin` to 1, by its blossoms.
+    const auto rail = [&](int v) {
+      Row row;
+      for (const auto& [s, t] : {std::pair(begin, begin), std::pair(begin, Q(1)), std::pair(Q(1), Q(1))}) {
+        row.push_back(Point(Q(v) * (s + t) / Q(2), s * t, Q(v)));
+      }
+      return row;
+    };
+    expect_witness(u, rail(-1), rail(1));
+  }
+}
+
+/// Made to cross by moving one point of c: a quadrilateral folded in its plane, pieces of degree 2 and 3.
+TEST(SelfIntersection, CrossingsBesideRulingsThatDoNotTell) {
+  expect_witness(bezier_knots<Q>(1), {point(4, 0, -6), point(78, -32, -97)}, {point(-1, 8, -8), point(-7, 8, 3)});
+  const auto parts = [](int x, int y, int z) { return Point(ratio<Q>(x, 18), ratio<Q>(y, 18), ratio<Q>(z, 18)); };
+  expect_witness(bezier_knots<Q>(2), {point(-2, 0, -3), parts(181, 32, 169), point(7, 0, -6)},
+                 {point(8, 1, 1), point(0, 1, -1), point(0, 1, -1)});
+  expect_witness(KnotList<Q>(3, {Q(1), Q(1), Q(1), Q(2), Q(2), Q(2)}),
+                 {Point(Q(-5), Q(0), ratio<Q>(19, 3)), point(2, 0, -5), point(-1, 0, -5), point(-3, 0, 7)},
+                 {point(4, 9, -4), point(4, 9, -5), point(-3, 9, 0), point(-2, 9, -6)});
+}
+
+/// Rails over two parallel lines that both go on and on along them: each ruling lies beyond the one before, however
+/// steep the rails are.
+TEST(SelfIntersection, SteepStripsDoNot) {
+  const Row c{point(5, 0, 5), point(11, 0, 0), point(12, 0, -1)};
+  const Row d{point(8, 1, 0), point(19, 1, -7), point(23, 1, 4)};
+  EXPECT_EQ(find_self_intersection<3>(bezier_knots<Q>(2), c, d, 2).crosses, Truth::no);
+  // All pieces of a strip at once: 5 pieces are 15 pairs.
+  Row saw, other;
+  for (int i = 0; i <= 5; ++i) {
+    saw.push_back(point(i, 0, i % 2 == 0 ? 40 : -40));
+    other.push_back(point(i, 1, i % 2 == 0 ? -40 : 40));
+  }
+  const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3), Q(4), Q(5)});
+  EXPECT_EQ(find_self_intersection<3>(u, saw, other, 2).crosses, Truth::no);
+}
+
 TEST(SelfIntersection, PlanesConesAndClosedStripsDoNot) {
   EXPECT_EQ(crosses(bezier_knots<Q>(1), {point(0, 0, 0), point(1, 0, 0)}, {point(0, 1, 0), point(1, 1, 0)}), Truth::no);
   const Row tip(3, point(0, 0, 1));
@@ -116,8 +160,8 @@ TEST(SelfIntersection, FarPartsThatMeetAreFound) {
   expect_witness(u, base, raised(base, Q(1)));
 }
 
-/// Two sheets 2^-44 apart or less, which bend together so that no plane parts them soon; their distance is a rounding error of
-/// the size, but they do not cross.
+/// Two sheets 2^-44 apart or less, which bend together so that no plane parts them soon; their distance is a rounding
+/// error of the size, but they do not cross.
 TEST(SelfIntersection, SheetsThatAllButTouchDoNotCross) {
   const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2), Q(3), Q(3)});
   const auto strip = [&](double gap) {
