@@ -50,11 +50,11 @@ std::vector<Vec<Q, 3>> points_of(const std::vector<Row4>& row) {
   return points;
 }
 
-FoldVerdict verdict_of(const In& in) {
-  if (!in.polynomial) return decide_folds<4>(in.net.knots, in.net.c, in.net.d);
+std::optional<RulingPlace> fold_of(const In& in) {
+  if (!in.polynomial) return find_fold<4>(in.net.knots, in.net.c, in.net.d);
   const std::vector<Vec<Q, 3>> c = points_of(in.net.c);
   const std::vector<Vec<Q, 3>> d = points_of(in.net.d);
-  return decide_folds<3>(in.net.knots, c, d);
+  return find_fold<3>(in.net.knots, c, d);
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ StripFolds::In StripFolds::draw(Choices& choices, const Scale& scale, Labels& la
 void StripFolds::check(const In& in, Labels& labels) {
   const plain::Strip strip = plain::strip_of(in.net.knots, in.net.c, in.net.d);
   const std::vector<int> numbers = in.net.knots.proper_pieces();
-  const FoldVerdict verdict = verdict_of(in);
+  const std::optional<RulingPlace> fold = fold_of(in);
   std::vector<plain::Poly> products;
   bool folded = false;
   for (std::size_t j = 0; j < strip.p.rows.size(); ++j) {
@@ -101,11 +101,10 @@ void StripFolds::check(const In& in, Labels& labels) {
     const Q& end = strip.p.breaks[j + 1];
     folded = folded || plain::negative_inside(products[j], begin, end).has_value();
   }
-  labels.add("folded", verdict.folded == Truth::unknown ? "unknown" : folded ? "yes" : "no");
-  require(verdict.folded == Truth::unknown || (verdict.folded == Truth::yes) == folded, "a fold too many or too few");
-  require(verdict.witness.has_value() == (verdict.folded == Truth::yes), "a witness too many or too few");
-  if (!verdict.witness) return;
-  const auto [piece, t] = *verdict.witness;
+  labels.add("folded", folded ? "yes" : "no");
+  require(fold.has_value() == folded, "a fold too many or too few");
+  if (!fold) return;
+  const auto [piece, t] = *fold;
   const auto place = std::ranges::find(numbers, piece);
   require(place != numbers.end(), "a fold in a piece that is none");
   const std::size_t j = static_cast<std::size_t>(place - numbers.begin());

@@ -128,16 +128,12 @@ std::string findings_text(const FittedStrip& strip) {
 
 /// What is known of folds: certified, or a ruling that folds over.
 std::string folds_text(const FittedStrip& strip, const Terminal& terminal) {
-  if (strip.folds.folded == Truth::no) {
+  if (!strip.fold) {
     return "  certified: the normal turns by at most 90 degrees along every ruling, so there is no edge of "
            "regression\n";
   }
-  if (strip.folds.folded == Truth::unknown) {
-    return fmt::format("  {}: whether the surface folds over between the rails\n",
-                       terminal.painted(Paint::doubtful, "undecided"));
-  }
   std::string text = fmt::format("  {} between the rails, as at u = {:.6g}, and along {:.2g} % of the rulings",
-                                 terminal.painted(Paint::bad, "folds over"), strip.folds.witness->parameter.to_double(),
+                                 terminal.painted(Paint::bad, "folds over"), strip.fold->parameter.to_double(),
                                  100 * strip.after.folded);
   const bool other = strip.method.fit && strip.method.fit->by_sides;
   return text + (other ? fmt::format("; --regular: {:.6g} degrees\n", *strip.method.fit->by_sides) : "\n");
@@ -209,8 +205,8 @@ nlohmann::ordered_json fit_json(const FitTitle& title, const FittedStrip& strip)
   json["surface"] = {{"degree", u.degree()}, {"pieces", u.proper_pieces().size()}, {"points", u.last() + 1}};
   if (strip.simplified) json["simplified"] = simplified_json(*strip.simplified);
   json["seconds"] = strip.method.seconds;
-  Json folds{{"folded", strip.folds.folded == Truth::unknown ? Json() : Json(strip.folds.folded == Truth::yes)}};
-  if (strip.folds.witness) folds["at"] = strip.folds.witness->parameter.text();
+  Json folds{{"folded", strip.fold.has_value()}};
+  if (strip.fold) folds["at"] = strip.fold->parameter.text();
   json["folds"] = folds;
   json["self_intersection"] = crossings_json(strip.crossings);
   if (!strip.trims.empty()) {

