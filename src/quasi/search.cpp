@@ -13,18 +13,32 @@ namespace {
 
 constexpr float never = std::numeric_limits<float>::infinity();
 
-/// Points and tangents of a rail at evenly spaced parameters, coordinate by coordinate, so that loops over them
-/// vectorize.
+/// A rail at evenly spaced parameters.
+std::vector<RailJet> jets_of(const Rail& rail, int intervals) {
+  std::vector<RailJet> jets;
+  for (int i = 0; i <= intervals; ++i) jets.push_back(rail(static_cast<double>(i) / intervals));
+  return jets;
+}
+
+/// The power of two of the largest coordinate: in this unit the fourth powers that an angle takes are floats.
+double unit_of(const std::vector<RailJet>& c, const std::vector<RailJet>& d) {
+  double largest = std::numeric_limits<double>::min();
+  for (const auto* jets : {&c, &d}) {
+    for (const RailJet& jet : *jets) largest = std::max(largest, jet.point.cwiseAbs().maxCoeff());
+  }
+  return std::exp2(std::ilogb(largest));
+}
+
+/// Points and tangents of a rail, coordinate by coordinate, so that loops over them vectorize.
 struct Stations {
   std::array<std::vector<float>, 3> point;
   std::array<std::vector<float>, 3> tangent;
 
-  Stations(const Rail& rail, int intervals) {
-    for (int i = 0; i <= intervals; ++i) {
-      const RailJet jet = rail(static_cast<double>(i) / intervals);
+  Stations(const std::vector<RailJet>& jets, double unit) {
+    for (const RailJet& jet : jets) {
       const double speed = jet.first.norm();
       for (int k = 0; k < 3; ++k) {
-        point[static_cast<std::size_t>(k)].push_back(static_cast<float>(jet.point[k]));
+        point[static_cast<std::size_t>(k)].push_back(static_cast<float>(jet.point[k] / unit));
         tangent[static_cast<std::size_t>(k)].push_back(static_cast<float>(speed > 0 ? jet.first[k] / speed : 0));
       }
     }
@@ -98,8 +112,11 @@ class PathCosts {
 
 RulingGrid::RulingGrid(const Rails& rails, int columns, int rows, AngleKind kind)
     : columns_(columns), rows_(rows), cost_((static_cast<std::size_t>(columns) + 1) * height()) {
-  const Stations c(rails.c, columns);
-  const Stations d(rails.d, rows);
+  const std::vector<RailJet> on_c = jets_of(rails.c, columns);
+  const std::vector<RailJet> on_d = jets_of(rails.d, rows);
+  const double unit = unit_of(on_c, on_d);
+  const Stations c(on_c, unit);
+  const Stations d(on_d, unit);
   const auto& [px, py, pz] = d.point;
   const auto& [bx, by, bz] = d.tangent;
   const bool sides = kind == AngleKind::sides;

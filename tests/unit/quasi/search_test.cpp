@@ -108,6 +108,39 @@ TEST(RulingGrid, CostsAreTheAnglesWithinHalfAPercent) {
   EXPECT_GT(largest, 1.5);
 }
 
+/// Rails 2^-50 and 2^50 times as large, whose fourth powers no float holds.
+TEST(RulingGrid, CostsDoNotDependOnTheSize) {
+  const test::ExactCurve c = test::drawn_curve(bezier_knots<Rational>(3), false, 3);
+  test::ExactCurve d = test::drawn_curve(bezier_knots<Rational>(4), true, 4);
+  for (Vec<Rational, 4>& row : d.control) row[3] += row[0];
+  const auto grid = [&](double size) {
+    const auto scaled = [&](test::ExactCurve curve) {
+      for (Vec<Rational, 4>& row : curve.control) {
+        for (int k = 1; k < 4; ++k) row[k] *= Rational::from_double(size);
+      }
+      return test::in_doubles(curve);
+    };
+    return RulingGrid({scaled(c), scaled(d)}, 6, 6, AngleKind::planes);
+  };
+  const RulingGrid unit = grid(1);
+  for (const double size : {0x1p-50, 0x1p50}) {
+    const RulingGrid other = grid(size);
+    for (int i = 0; i <= 6; ++i) {
+      for (int j = 0; j <= 6; ++j) EXPECT_EQ(other.column(i)[j], unit.column(i)[j]) << size;
+    }
+  }
+}
+
+/// A rail that rests where it begins has no tangent there, and no angle is asked for.
+TEST(RulingGrid, ARailAtRestCostsNothing) {
+  const Rails rails{
+      test::rail_of({test::hundredths({0, 0, 100}), test::hundredths({0, 0, 0, 100}), test::hundredths({0})}),
+      test::rail_of({test::hundredths({0, 100}), test::hundredths({0, 0, 100}), test::hundredths({100})})};
+  const RulingGrid grid(rails, 4, 4, AngleKind::sides);
+  for (int j = 0; j <= 4; ++j) EXPECT_EQ(grid.column(0)[j], 0) << j;
+  EXPECT_GT(grid.column(1)[4], 0);
+}
+
 TEST(RulingGrid, RulingsWithoutAnAngleCostNothing) {
   const Rails meeting{
       test::rail_of({test::hundredths({0, 100}), test::hundredths({0}), test::hundredths({0})}),
