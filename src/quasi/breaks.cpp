@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace torse::quasi {
 namespace {
@@ -22,23 +23,23 @@ std::vector<double> means_by_piece(const std::vector<double>& breaks, const std:
   std::vector<double> means(breaks.size() - 1, 0);
   std::vector<std::size_t> counts(means.size(), 0);
   for (std::size_t r = 0; r < parameters.size(); ++r) {
-    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, parameters[r]);
+    const auto above = std::upper_bound(breaks.begin(), breaks.end() - 1, parameters[r]);
     const std::size_t piece = static_cast<std::size_t>(above - breaks.begin()) - 1;
     means[piece] += values[r];
     ++counts[piece];
   }
   for (std::size_t i = 0; i < means.size(); ++i) {
-    if (counts[i] > 0) means[i] /= static_cast<double>(counts[i]);
+    if (counts[i] != 0) means[i] /= static_cast<double>(counts[i]);
   }
   return means;
 }
 
 std::vector<double> moved_breaks(const std::vector<double>& breaks, const std::vector<double>& warp, int degree) {
   const std::size_t pieces = warp.size();
-  const double largest = std::ranges::max(warp);
+  const double largest = std::max(std::ranges::max(warp), std::numeric_limits<double>::min());
   std::vector<double> mass{0};
   for (std::size_t i = 0; i < pieces; ++i) {
-    const double density = std::pow(largest > 0 ? warp[i] / largest : 0, 1.0 / (degree + 1)) + 0.1;
+    const double density = std::pow(warp[i] / largest, 1.0 / (degree + 1)) + 0.1;
     mass.push_back(mass.back() + density * (breaks[i + 1] - breaks[i]));
   }
   std::vector<double> moved{0};

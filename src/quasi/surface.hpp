@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <limits>
@@ -99,7 +100,7 @@ template <OrderedField S>
 S value_rounding(const Mapping<S>& sigma) {
   S bound = from_int<S>(0);
   if constexpr (std::floating_point<S>) {
-    for (const Vec<S, 1>& b : sigma.control) bound = std::max(bound, b[0] < 0 ? -b[0] : b[0]);
+    for (const Vec<S, 1>& b : sigma.control) bound = std::max(bound, std::abs(b[0]));
     bound *= from_int<S>(6 * sigma.knots.degree() + 1) * std::numeric_limits<S>::epsilon();
   }
   return bound;

@@ -31,7 +31,11 @@ void expect_breaks(const List& found, const List& wanted) {
 }
 
 /// Densities 1.1 and 0.5 = sqrt(0.16) + 0.1: masses 0.55 and 0.25, and their half 0.4 is 8 / 11 of the first piece.
-TEST(Breaks, TwoPiecesOfDegree1) { expect_breaks(moved_breaks({0, 0.5, 1}, {100, 16}, 1), {0, 4.0 / 11, 1}); }
+TEST(Breaks, TwoPiecesOfDegree1) {
+  for (const double unit : {1.0, 0.01, 1e-9}) {
+    expect_breaks(moved_breaks({0, 0.5, 1}, {100 * unit, 16 * unit}, 1), {0, 4.0 / 11, 1});
+  }
+}
 
 /// Densities 0.1, 0.1, 0.6 = cbrt(1/8) + 0.1 and 1.1: the masses add up to 0.025, 0.05, 0.2, 0.475.
 TEST(Breaks, FourPiecesOfDegree2) {

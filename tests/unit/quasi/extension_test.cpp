@@ -83,7 +83,14 @@ TEST(Extension, BothEndsAlongTheTangents) {
 
 TEST(Extension, OnlyForwards) {
   const Curve curve = drawn(lists()[1], 2);
-  EXPECT_THROW(extended_end(curve, Q(2), Point2(Q(0), Q(0))), InvalidInput);
+  for (const Q& e : {Q(1), Q(2)}) {
+    try {
+      extended_end(curve, e, Point2(Q(0), Q(0)));
+      ADD_FAILURE();
+    } catch (const InvalidInput& error) {
+      EXPECT_EQ(error.place(), "e");
+    }
+  }
   EXPECT_THROW(extended(curve, Q(0)), InvalidInput);
 }
 

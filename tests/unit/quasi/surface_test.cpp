@@ -91,7 +91,12 @@ TEST(ComposedPoints, AgreeWithPolynomialsOfTheCoordinates) {
     const std::vector<Q> expected = Bernstein<Q>(outer).compose(Bernstein<Q>(e)).coefficients();
     for (std::size_t i = 0; i < composed.size(); ++i) EXPECT_EQ(composed[i][j], expected[i]);
   }
-  EXPECT_THROW((composed_points<Q, Point2>({}, e)), InvalidInput);
+  try {
+    composed_points<Q, Point2>({}, e);
+    ADD_FAILURE();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place(), "points");
+  }
 }
 
 TEST(ElevatedPoints, AgreeWithRepeatedElevation) {
@@ -223,6 +228,35 @@ TEST(QuasiSurface, InDoublesTheIdentityAddsNoPieces) {
       EXPECT_NEAR(surface.c[i][j], exact.c[i][j].to_double(), 1e-12);
       EXPECT_NEAR(surface.d[i][j], exact.d[i][j].to_double(), 1e-12);
     }
+  }
+}
+
+/// Down to neighbouring numbers: the root of 1/2, and 1/2 where t^2 is 1/4 exactly.
+TEST(QuasiSurface, PreimagesAreAsNearAsNumbersAre) {
+  const Mapping<double> square = mapping_of(KnotList<double>(2, {0.25, 0.25, 1, 1}), {0.0625, 0.25, 1.0});
+  const Mapping<double> fine =
+      with_preimages(square, KnotList<double>(1, {0.25, 1}), KnotList<double>(1, {0, 0.25, 0.5, 1}));
+  ASSERT_EQ(fine.knots.size(), 6);
+  EXPECT_EQ(fine.knots[2], 0.5);
+  EXPECT_NEAR(fine.knots[3], std::sqrt(0.5), 0x1p-52);
+}
+
+/// The pieces of [2, 3] and [3, 6] over knots of their own and over even ones.
+TEST(JoinPieces, KnotsOfTheMappingOrEvenOnes) {
+  const auto piece = [](double from, double to) {
+    return SurfacePiece<Vec<double, 1>>{{Vec<double, 1>(from), Vec<double, 1>(to)},
+                                        {Vec<double, 1>(-from), Vec<double, 1>(-to)}};
+  };
+  const std::vector<double> list{2, 3, 6};
+  const std::vector<SurfacePiece<Vec<double, 1>>> pieces{piece(10, 20), piece(20, 40)};
+  const auto own = join_pieces<double, Vec<double, 1>>(list, pieces, 1);
+  EXPECT_EQ(own.knots.list(), list);
+  const auto even = join_pieces<double, Vec<double, 1>>(list, pieces, 1, SurfaceKnots::uniform);
+  EXPECT_EQ(even.knots.list(), (std::vector<double>{2, 4, 6}));
+  ASSERT_EQ(even.c.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(even.c[i][0], (std::array{10, 20, 40})[i]);
+    EXPECT_EQ(even.d[i][0], -even.c[i][0]);
   }
 }
 
