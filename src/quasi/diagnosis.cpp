@@ -10,14 +10,15 @@ namespace torse::quasi {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A warp that counts as none, as a part of the threshold.
 constexpr double small_share = 0.5;
 
 /// The developable rulings from one point of the first rail.
 struct Targets {
-  std::vector<double> zeros;                              ///< parameters T, also beyond the ends, in order
-  double best = std::numeric_limits<double>::infinity();  ///< the least warp with T in [0, 1], degrees
+  std::vector<double> zeros;  ///< parameters T, also beyond the ends, in order
+  double best = infinity;     ///< the least warp with T in [0, 1], degrees
 };
 
 /// The points of the second rail that rulings may lead to.
@@ -40,7 +41,7 @@ class TargetRow {
       const double t = parameters_[i];
       const double warp = ruling_angle(c, jets_[i], AngleKind::planes).angle.value * degrees;
       if (t >= 0 && t <= 1) targets.best = std::min(targets.best, std::abs(warp));
-      const bool crosses = i > 0 && before * warp < 0 && std::abs(before - warp) < 90;
+      const bool crosses = before * warp < 0 && std::abs(before - warp) < 90;
       if (crosses) {
         targets.zeros.push_back(parameters_[i - 1] + (t - parameters_[i - 1]) * before / (before - warp));
         if (targets.zeros.back() >= 0 && targets.zeros.back() <= 1) targets.best = 0;
@@ -70,16 +71,24 @@ struct Place {
 /// Whether a developable ruling from `place` exists on the rail itself that keeps the order with the rulings that are
 /// good already: those before and behind it whose warp is small.
 Obstacle obstacle_at(const Place& place, double after, double before, double& extension) {
-  double beyond = std::numeric_limits<double>::infinity();
+  double beyond = infinity;
   Obstacle outside = Obstacle::tangents;
+  const auto leads_out = [&](double distance, Obstacle end) {
+    if (distance < beyond) {
+      beyond = distance;
+      outside = end;
+    }
+  };
   bool inside = false;
   for (const double zero : place.targets.zeros) {
-    if (zero >= 0 && zero <= 1) {
+    if (zero < 0) {
+      leads_out(-zero, Obstacle::beyond_begin);
+    } else if (zero > 1) {
+      leads_out(zero - 1, Obstacle::beyond_end);
+    } else if (zero >= after && zero <= before) {
+      return Obstacle::mapping;
+    } else {
       inside = true;
-      if (zero >= after && zero <= before) return Obstacle::mapping;
-    } else if (const double distance = zero < 0 ? -zero : zero - 1; distance < beyond) {
-      beyond = distance;
-      outside = zero < 0 ? Obstacle::beyond_begin : Obstacle::beyond_end;
     }
   }
   if (inside) return Obstacle::order;
@@ -103,13 +112,13 @@ std::vector<Place> places_of(const Rails& rails, const Mapping<double>& sigma, c
 
 /// The values of sigma at the nearest good rulings before and behind each place bound where its ruling may lead.
 void find_obstacles(std::vector<Place>& places, double threshold) {
-  std::vector<double> before(places.size(), 1);
-  double bound = 1;
+  std::vector<double> before(places.size());
+  double bound = infinity;
   for (std::size_t i = places.size(); i-- > 0;) {
     before[i] = bound;
     if (places[i].warp <= small_share * threshold) bound = places[i].value;
   }
-  double after = 0;
+  double after = -infinity;
   for (std::size_t i = 0; i < places.size(); ++i) {
     Place& place = places[i];
     if (place.warp > threshold) place.obstacle = obstacle_at(place, after, before[i], place.extension);
@@ -146,7 +155,7 @@ std::vector<Finding> diagnose(const Rails& rails, const Mapping<double>& sigma, 
     if (!(place.warp > options.threshold)) continue;
     const bool goes_on = last && *last + 1 == i && findings.back().obstacle == place.obstacle;
     if (!goes_on) {
-      findings.push_back({place.t - half, place.t, place.obstacle, 0, 0, 0});
+      findings.push_back({place.t - half, place.t, place.obstacle, 0, place.warp, 0, place.extension});
       counts.push_back(0);
     }
     Finding& finding = findings.back();

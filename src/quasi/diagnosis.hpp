@@ -33,7 +33,7 @@ struct Finding {
   double max;
   double best;  ///< the mean over t of the least warp of any ruling from c(t), degrees
   /// For beyond_begin and beyond_end: by how much of its parameters the second rail would have to go on, at most.
-  double extension = 0;
+  double extension;
 };
 
 /// What a diagnosis looks at.

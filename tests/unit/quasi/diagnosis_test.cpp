@@ -57,6 +57,42 @@ TEST(Diagnosis, WhereTheDevelopableRulingsAre) {
   expect_one(hundredths({-25}), Obstacle::beyond_begin, 0.25);
   expect_one(hundredths({140, -20}), Obstacle::beyond_end, 0.4 - 0.2 / 160);  // the farthest one
   expect_one(hundredths({0, 0, 100}), Obstacle::mapping, 0);
+  // At the ends of what is looked at, and of the rail.
+  expect_one(hundredths({150}), Obstacle::beyond_end, 0.5);
+  expect_one(hundredths({-50}), Obstacle::beyond_begin, 0.5);
+  expect_one(hundredths({0}), Obstacle::mapping, 0);
+  expect_one(hundredths({100}), Obstacle::mapping, 0);
+}
+
+/// f = -1/4: of the rulings on the rail that to T = 0 is the nearest to the developable one before it.
+TEST(Diagnosis, TheBestRulingMayBeTheFirst) {
+  const Rails rails = rails_with(hundredths({-25}));
+  const std::vector<Finding> found = findings_of(rails, 0.01);
+  ASSERT_EQ(found.size(), 1U);
+  double best = 0;
+  for (int i = 0; i < 80; ++i) best += warp(rails, (i + 0.5) / 80, 0) / 80;
+  EXPECT_NEAR(found[0].best, best, 1e-9);
+}
+
+/// All of the warps are less than a degree: f = t + 1/100.
+TEST(Diagnosis, MeanAndMaximumOfSmallWarps) {
+  const Rails rails = rails_with(hundredths({1, 100}));
+  const std::vector<Finding> found = findings_of(rails, 0.01);
+  ASSERT_EQ(found.size(), 2U);  // those at the end lead beyond it
+  for (std::size_t k = 0; k < 2; ++k) {
+    double mean = 0, max = 0;
+    const int from = k == 0 ? 0 : 79;
+    const int to = k == 0 ? 79 : 80;
+    for (int i = from; i < to; ++i) {
+      const double t = (i + 0.5) / 80;
+      mean += warp(rails, t, t) / (to - from);
+      max = std::max(max, warp(rails, t, t));
+    }
+    EXPECT_LT(max, 1);
+    EXPECT_NEAR(found[k].mean, mean, 1e-9);
+    EXPECT_NEAR(found[k].max, max, 1e-12);
+  }
+  EXPECT_TRUE(diagnose(rails, identity).empty()) << "by the threshold of one degree";
 }
 
 /// The tangents turn past a right angle from those of c: the warp jumps from 90 to -90 degrees, and none is 0.
@@ -89,6 +125,10 @@ TEST(Diagnosis, ExactRulingsAreGoodByAnyThreshold) {
   const std::vector<Finding> other = findings_of(rails_with(hundredths({50})), 0);
   ASSERT_EQ(other.size(), 1U);
   EXPECT_EQ(other[0].obstacle, Obstacle::mapping);
+  // The good ruling from t = 1/2 shares T = 1/2 with those that are wanted: that is in order.
+  const std::vector<Finding> shared = findings_of(rails_with(hundredths({50})), 0, 81);
+  ASSERT_EQ(shared.size(), 2U);
+  for (const Finding& finding : shared) EXPECT_EQ(finding.obstacle, Obstacle::mapping);
 }
 
 /// f - t = 0.15 - 0.2 t falls to 0 at 3/4. With the warp at t = 1/4 for the threshold the rulings behind it, up to
