@@ -26,15 +26,15 @@ struct Loss {
     if (measure == Measure::mean) {
       const double value = std::sqrt(angle * angle + scale * scale);
       const double share = std::abs(angle) / cap;
-      const double low = share > 0 ? std::pow(share, most_power - 2) : 0;
+      const double low = std::pow(share, most_power - 2);
       return {value + (low > 0 ? low * share * share * cap : 0),
-              angle / value + most_power * low * share * (angle < 0 ? -1 : 1),
+              angle / value + std::copysign(most_power * low * share, angle),
               scale / value * (scale / value) / value + most_power * (most_power - 1) * low / cap};
     }
     if (measure == Measure::rms) return {angle * angle, 2 * angle, 2};
     const double share = std::abs(angle) / scale;
     const double low = std::pow(share, power - 2);
-    return {low * share * share, power * low * share / scale * (angle < 0 ? -1 : 1),
+    return {low * share * share, std::copysign(power * low * share / scale, angle),
             power * (power - 1) * low / (scale * scale)};
   }
 };

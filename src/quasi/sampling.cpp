@@ -12,8 +12,7 @@ int piece_of(const KnotList<double>& u, double t) {
   const auto& list = u.list();
   const auto begin = list.begin() + (u.degree() - 1);
   const auto end = list.begin() + u.last();
-  const auto above = std::upper_bound(begin + 1, end, t);
-  return static_cast<int>(std::min(above, end) - begin);
+  return static_cast<int>(std::upper_bound(begin, end, t) - begin);
 }
 
 /// Parameters t in the range at which t + sigma(t) takes `count` evenly spread values, found on a grid.
@@ -23,10 +22,11 @@ std::vector<double> evenly_on_both(const Rail& c, const Mapping<double>& sigma, 
   const auto place = [&](std::size_t r) { return grid.parameter(r) + grid.value(beta, r); };
   const double begin = place(0);
   const double length = place(grid.size() - 1) - begin;
+  const double steps = static_cast<double>(count - 1);
   std::vector<double> parameters;
   for (std::size_t r = 0; r < grid.size(); ++r) {
-    const double wanted = begin + length * static_cast<double>(parameters.size()) / static_cast<double>(count - 1);
-    if (place(r) >= wanted || r + 1 == grid.size()) parameters.push_back(grid.parameter(r));
+    const double wanted = length * static_cast<double>(parameters.size());
+    if ((place(r) - begin) * steps >= wanted) parameters.push_back(grid.parameter(r));
   }
   return parameters;
 }

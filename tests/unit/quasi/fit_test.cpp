@@ -244,6 +244,9 @@ TEST(SampledRulings, AreSpreadEvenlyWithTheirWarp) {
   const Mapping<double> sigma = sides_fit(7, Measure::mean, 6).mapping;
   const std::vector<SampledRuling> rulings = sampled_rulings(rails, sigma, 20);
   ASSERT_EQ(rulings.size(), 20U);
+  // From the first to the last of 320 even parts.
+  EXPECT_DOUBLE_EQ(rulings.front().t, 0.5 / 320);
+  EXPECT_DOUBLE_EQ(rulings.back().t, 1 - 0.5 / 320);
   double largest = 0;
   for (std::size_t i = 0; i < rulings.size(); ++i) {
     const SampledRuling& r = rulings[i];

@@ -33,6 +33,9 @@ TEST(Loss, OfTheMeanWithACap) {
   expect_loss(loss, 8, {0x1p66, 0x1p69, 1008 * 0x1p62});
   expect_loss(loss, -8, {0x1p66, -0x1p69, 1008 * 0x1p62});
   expect_loss(loss, 0, {3, 0, 1.0 / 3});
+  const Loss narrow{Measure::mean, 0.375, 2, 0.5};  // sqrt(1/4 + 9/64) = 5/8
+  expect_loss(narrow, 0.5, {0.625 + 0.5, 0.8 + 64, 0.576 + 64 * 63 / 0.5});
+  expect_loss(narrow, -0.5, {0.625 + 0.5, -0.8 - 64, 0.576 + 64 * 63 / 0.5});
 }
 
 TEST(Loss, OfTheMeanSquare) {
