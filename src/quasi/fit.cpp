@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "torse/quasi/breaks.hpp"
+#include "torse/quasi/equal_runs.hpp"
 
 namespace torse::quasi {
 namespace {
@@ -35,9 +36,6 @@ constexpr double next_to_nothing = 1.005;
 /// What a surface may cost that is not singular, or whose mean is lower than that of others with its maximum.
 constexpr double as_good = 1.0001;
 
-/// As much as equal coefficients are moved apart, together.
-constexpr double least_rise = 1e-6;
-
 /// A place is steep where a coefficient exceeds the one before by so many times the mean difference.
 constexpr double steep = 4;
 
@@ -45,36 +43,10 @@ constexpr double steep = 4;
 constexpr std::size_t most_shifts = 4;
 constexpr double worth_while = 0.999;
 
-/// So many equal coefficients in a row are too many.
-struct Runs {
-  std::size_t at_end;
-  std::size_t inside;
-};
-
-/// Moves runs of equal coefficients apart, by a total of `least_rise` each at most, upwards or, at the end of the rail,
-/// downwards.
-void part_equal(std::vector<double>& beta, const Runs& runs) {
-  const std::size_t n = beta.size();
-  for (std::size_t begin = 0; begin < n;) {
-    std::size_t end = begin + 1;
-    while (end < n && beta[end] == beta[begin]) ++end;
-    const std::size_t run = end - begin;
-    if (run >= (begin == 0 || end == n ? runs.at_end : runs.inside) && run < n) {
-      const bool up = end < n;
-      const double gap = up ? beta[end] - beta[begin] : beta[begin] - beta[begin - 1];
-      const double step = std::min(least_rise, gap / 2) / static_cast<double>(run);
-      for (std::size_t i = begin; i < end; ++i) {
-        beta[i] += up ? step * static_cast<double>(i - begin) : -step * static_cast<double>(end - 1 - i);
-      }
-    }
-    begin = end;
-  }
-}
-
-/// The larger angle of the rulings from the ends of c to d(first) and d(last).
-double end_angle(const Rails& rails, double first, double last, AngleKind kind) {
-  return std::max(std::abs(ruling_angle(rails.c(0), rails.d(first), kind).angle.value),
-                  std::abs(ruling_angle(rails.c(1), rails.d(last), kind).angle.value));
+/// The larger angle of the rulings from the ends of c, which lead to d at the first and the last coefficient.
+double end_angle(const Rails& rails, const std::vector<double>& beta, AngleKind kind) {
+  return std::max(std::abs(ruling_angle(rails.c(0), rails.d(beta.front()), kind).angle.value),
+                  std::abs(ruling_angle(rails.c(1), rails.d(beta.back()), kind).angle.value));
 }
 
 class Fitter {
@@ -100,7 +72,7 @@ class Fitter {
     if (options_.measure == Measure::max) lower_mean();
     part_equal_coefficients();
     fit_.mapping = mapping_of(knots_, beta_);
-    fit_.value = value_;
+    fit_.value = seen(beta_);
     fit_.seconds = elapsed();
     return std::move(fit_);
   }
@@ -158,29 +130,22 @@ class Fitter {
     std::ranges::sort(places, std::greater<>(), [&](std::size_t i) { return beta_[i] - beta_[i - 1]; });
     places.resize(std::min(places.size(), most_shifts));
     for (const std::size_t place : places) {
-      for (const int direction : {-1, 1}) shift(place, direction);
+      for (const bool forwards : {false, true}) shift(place, forwards);
     }
   }
 
   /// Moves the step between beta_{i-1} and beta_i one piece further as long as that helps.
-  void shift(std::size_t i, int direction) {
-    for (;;) {
+  void shift(std::size_t i, bool forwards) {
+    while (forwards ? i + 1 != beta_.size() : i != 1) {
       std::vector<double> moved = beta_;
-      if (direction < 0 && i >= 2) {
-        moved[i - 1] = moved[i];
-      } else if (direction > 0 && i + 1 < moved.size()) {
-        moved[i] = moved[i - 1];
-      } else {
-        return;
-      }
-      moved = held(std::move(moved));
+      (forwards ? moved[i] : moved[i - 1]) = forwards ? moved[i - 1] : moved[i];
       DescentOptions brief = descent_options();
       brief.stages = 2;
       brief.steps_per_stage = 3;
       const Descent glance = descend(rails_.d, samples_, std::move(moved), brief);
       if (!(glance.value * degrees < worth_while * value_)) return;
       start_from("shifted", glance.beta);
-      i = direction < 0 ? i - 1 : i + 1;
+      i = forwards ? i + 1 : i - 1;
     }
   }
 
@@ -208,10 +173,9 @@ class Fitter {
   /// A few rulings decide the maximum, often those at fixed ends. The others are made good among mappings with no
   /// larger one, by the mean: the best one by that, if it is among them, else by a descent.
   void lower_mean() {
-    const double ends = options_.ends == Ends::fixed ? end_angle(rails_, 0, 1, options_.kind) : 0;
     DescentOptions mean = descent_options();
     mean.measure = Measure::mean;
-    mean.cap = as_good * std::max(value_ / degrees, ends);
+    mean.cap = as_good * seen(beta_) / degrees;
     FitOptions by_mean = options_;
     by_mean.measure = Measure::mean;
     Fit other = Fitter(rails_, by_mean).run();
@@ -226,7 +190,14 @@ class Fitter {
     fit_.stages.push_back({"mean", before, descent.value * degrees, static_cast<int>(descent.steps.size()),
                            descent.evaluations, descent.converged});
     beta_ = std::move(descent.beta);
-    value_ = std::max(ends, measured(rails_.d, samples, beta_, descent_options())) * degrees;
+  }
+
+  /// The measure of what a fit looks at, degrees: the rulings at the samples and, for the maximum, those at fixed ends.
+  double seen(const std::vector<double>& beta) const {
+    const Sampling samples(rails_.c, knots_, sample_parameters());
+    const double inside = measured(rails_.d, samples, beta, descent_options());
+    const bool ends = options_.measure == Measure::max && options_.ends == Ends::fixed;
+    return degrees * (ends ? std::max(inside, end_angle(rails_, beta, options_.kind)) : inside);
   }
 
   /// Where more than `degree` coefficients are equal the mapping would rest on a point of the second rail and the
@@ -237,12 +208,7 @@ class Fitter {
     part_equal(beta_, {.at_end = degree + 1, .inside = degree + 1});
     std::vector<double> regular = beta_;
     part_equal(regular, {.at_end = 2, .inside = std::max<std::size_t>(degree, 2)});
-    if (regular == beta_) return;
-    const Sampling samples(rails_.c, knots_, sample_parameters());
-    const double value = measured(rails_.d, samples, regular, descent_options()) * degrees;
-    if (!(value <= as_good * value_ + rounding)) return;
-    beta_ = std::move(regular);
-    value_ = std::max(value, value_);
+    if (seen(regular) <= as_good * seen(beta_) + rounding) beta_ = std::move(regular);
   }
 
   const Rails& rails_;
@@ -263,9 +229,8 @@ double measure_at(const Rails& rails, const Mapping<double>& sigma, const FitOpt
   const Sampling samples(rails.c, sigma.knots, midpoints(times * fit_samples(options)));
   const DescentOptions descent{.measure = options.measure, .kind = kind};
   const std::vector<double> beta = coefficients(sigma);
-  const double value = measured(rails.d, samples, beta, descent);
-  const double ends = options.measure == Measure::max ? end_angle(rails, beta.front(), beta.back(), kind) : 0;
-  return std::max(value, ends) * degrees;
+  const double inside = measured(rails.d, samples, beta, descent);
+  return degrees * (options.measure == Measure::max ? std::max(inside, end_angle(rails, beta, kind)) : inside);
 }
 
 /// A fit by the angle of planes, or by that of sides if the strip would fold over and this costs next to nothing.

@@ -38,7 +38,7 @@ struct FitStep {
   double seconds;  ///< since the start of the fit
 };
 
-/// The result of a fit. It is never worse than T = t, by the measure at eight times as many rulings as the fit looks
+/// The result of a fit. It is never worse than T = t, by the measure at four times as many rulings as the fit looks
 /// at.
 struct Fit {
   Mapping<double> mapping;
