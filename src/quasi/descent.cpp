@@ -85,7 +85,7 @@ class Descender {
   }
 
  private:
-  std::size_t width() const { return static_cast<std::size_t>(std::max(samples_.degree(), 1)); }
+  std::size_t width() const { return static_cast<std::size_t>(samples_.degree()); }
 
   void angles_at(const std::vector<double>& beta, std::vector<Taylor<double>>& angles) {
     ++result_.evaluations;
@@ -139,17 +139,6 @@ class Descender {
     }
   }
 
-  BandedMatrix damped(double damping) const {
-    double largest = 0;
-    for (std::size_t i = 0; i < hessian_.size(); ++i) largest = std::max(largest, hessian_.at(i, 0));
-    if (largest == 0) largest = 1;
-    BandedMatrix h = hessian_;
-    for (std::size_t i = 0; i < h.size(); ++i) {
-      h.at(i, 0) += damping * (hessian_.at(i, 0) + 1e-6 * largest) + 1e-12 * largest;
-    }
-    return h;
-  }
-
   /// How much the model, without its damping, promises to lower the sum by the trial.
   double promised() {
     double slope = 0;
@@ -170,7 +159,7 @@ class Descender {
       build_model(loss);
       double lower = sum;
       for (int trial = 0; trial < most_trials; ++trial) {
-        trial_ = model_.minimize(damped(damping), gradient_, result_.beta);
+        trial_ = model_.minimize(hessian_.damped(damping), gradient_, result_.beta);
         if (promised() <= enough * sum) return;
         angles_at(trial_, trial_angles_);
         lower = total(loss, trial_angles_);

@@ -11,6 +11,14 @@ constexpr int most_rounds = 30;
 
 }  // namespace
 
+BandedMatrix BandedMatrix::damped(double damping) const {
+  BandedMatrix h = *this;
+  const std::span<double> diagonal = std::span(h.entries_).first(size_);
+  const double largest = std::ranges::max(diagonal);
+  for (double& x : diagonal) x += damping * (x + 1e-6 * largest) + 1e-12 * largest;
+  return h;
+}
+
 void BandedMatrix::multiply(std::span<const double> x, std::span<double> y) const {
   for (std::size_t i = 0; i < size_; ++i) {
     double total = at(i, 0) * x[i];
@@ -59,22 +67,20 @@ void MonotoneModel::solve_tied(const BandedMatrix& h, std::span<const double> ta
       reduced_.at(group_[i], apart) += (apart == 0 ? 2 : 1) * h.at(i, k);
     }
   }
-  const auto fix = [&](std::size_t a, double value) {
-    for (std::size_t k = 1; k <= h.width(); ++k) {
-      if (a + k < groups) {
-        unknowns_[a + k] -= reduced_.at(a, k) * value;
-        reduced_.at(a, k) = 0;
-      }
-      if (a >= k) {
-        unknowns_[a - k] -= reduced_.at(a - k, k) * value;
-        reduced_.at(a - k, k) = 0;
-      }
+  const std::size_t last = groups - 1;
+  if (tied_[0]) {
+    reduced_.at(0, 0) = 1;
+    unknowns_[0] = 0;
+    for (std::size_t k = 1; k <= std::min(h.width(), last); ++k) reduced_.at(0, k) = 0;
+  }
+  if (tied_[n]) {
+    reduced_.at(last, 0) = 1;
+    unknowns_[last] = 1;
+    for (std::size_t k = 1; k <= std::min(h.width(), last); ++k) {
+      unknowns_[last - k] -= reduced_.at(last - k, k);
+      reduced_.at(last - k, k) = 0;
     }
-    reduced_.at(a, 0) = 1;
-    unknowns_[a] = value;
-  };
-  if (tied_[0]) fix(0, 0);
-  if (tied_[n]) fix(groups - 1, 1);
+  }
   reduced_.solve(unknowns_);
   for (std::size_t i = 0; i < n; ++i) x_[i] = unknowns_[group_[i]];
 }
@@ -94,7 +100,7 @@ bool MonotoneModel::untie(std::span<const double> force) {
     std::size_t begin = end - 1;
     while (begin > 0 && tied_[begin]) --begin;
     double total = 0;
-    if (end == n && tied_[n] && !(begin == 0 && tied_[0])) {
+    if (end == n && tied_[n]) {
       for (std::size_t i = begin; i < end; ++i) {
         total -= force[i];
         if (total < 0) changed = release(i + 1) || changed;
@@ -140,10 +146,8 @@ std::vector<double> MonotoneModel::minimize(const BandedMatrix& h, std::span<con
     if (!tie() && !released) break;
   }
   if (!std::ranges::all_of(x_, [](double x) { return std::isfinite(x); })) return {b.begin(), b.end()};
-  if (ends_ == Ends::fixed) x_.front() = 0;
   double least = 0;
   for (double& x : x_) least = x = std::clamp(x, least, 1.0);
-  if (ends_ == Ends::fixed) x_.back() = 1;
   return x_;
 }
 

@@ -26,6 +26,9 @@ class BandedMatrix {
     size_ = size;
     entries_.assign((width_ + 1) * size, 0);
   }
+  /// With x + damping (x + 1e-6 l) + 1e-12 l in place of each diagonal entry x, l being the largest one. A matrix that
+  /// is not negative and not 0 becomes positive definite.
+  BandedMatrix damped(double damping) const;
   /// The product with x.
   void multiply(std::span<const double> x, std::span<double> y) const;
   /// b becomes the solution of A x = b and the matrix its factors L D L^T. A must be positive definite.

@@ -79,8 +79,29 @@ TEST(BandedMatrix, ProductsAndSolutionsAreThoseOfDenseMatrices) {
       h.solve(y);
       EXPECT_LT((column(y) - m.llt().solve(m * column(x))).norm(), 1e-11);
       EXPECT_LT((column(y) - column(x)).norm(), 1e-11);
+      Dense lower = Dense::Identity(m.rows(), m.cols());  // h has become D, and L^T above it
+      for (Eigen::Index i = 0; i < m.rows(); ++i) {
+        for (Eigen::Index j = i + 1; j < m.cols(); ++j) lower(j, i) = dense(h)(i, j);
+      }
+      EXPECT_LT((lower * dense(h).diagonal().asDiagonal() * lower.transpose() - m).norm(), 1e-12 * m.norm());
     }
   }
+}
+
+/// The largest entry becomes 4 + (4 + 4e-6) / 2 + 4e-12.
+TEST(BandedMatrix, DampingIsRelativeToTheDiagonal) {
+  BandedMatrix h(3, 1);
+  h.at(0, 0) = 1;
+  h.at(1, 0) = 4;
+  h.at(0, 1) = 1.5;
+  h.at(1, 1) = -7;
+  const BandedMatrix damped = h.damped(0.5);
+  EXPECT_DOUBLE_EQ(damped.at(0, 0), 1.500002000004);
+  EXPECT_DOUBLE_EQ(damped.at(1, 0), 6.000002000004);
+  EXPECT_DOUBLE_EQ(damped.at(2, 0), 2.000004e-6);
+  EXPECT_EQ(damped.at(0, 1), 1.5);
+  EXPECT_EQ(damped.at(1, 1), -7);
+  EXPECT_EQ(h.at(1, 0), 4);
 }
 
 TEST(BandedMatrix, ClearsToZeroOfAnotherSize) {
