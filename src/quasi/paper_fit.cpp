@@ -65,7 +65,6 @@ class Objective {
 
   double operator()(const Variables& x, Variables& gradient) {
     ++evaluations;
-    gradient.setZero(x.size());
     const std::vector<double> beta = coefficients_at(x);
     std::vector<double> by_beta(beta.size(), 0);
     double total = 0;

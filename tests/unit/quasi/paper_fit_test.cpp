@@ -67,15 +67,16 @@ double least_energy(const RailJet& c, const RailJet& d) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rows.transpose() * rows).eigenvalues()[0];
 }
 
-/// Of a mapping with the best normals of any length: 100 l s + (s - 1)^2 is least for s = |N|^2 = 1 - 50 l, or 0.
+/// Of a mapping with the best normals of any length: E l s + W (s - 1)^2 is least for s = |N|^2 = 1 - E l / (2 W), or
+/// 0.
 double best_objective(const Rails& rails, const Mapping<double>& sigma, const PaperOptions& options, bool unit) {
   double total = 0;
   const double last = static_cast<double>(options.samples - 1);
   for (std::size_t r = 0; r < options.samples; ++r) {
     const double t = static_cast<double>(r) / last;
     const double l = least_energy(rails.c(t), rails.d(mapping_value(sigma, t)));
-    const double s = unit ? 1 : std::max(0.0, 1 - options.energy_weight * l / 2);
-    total += options.energy_weight * l * s + (s - 1) * (s - 1);
+    const double s = unit ? 1 : std::max(0.0, 1 - options.energy_weight * l / (2 * options.normal_weight));
+    total += options.energy_weight * l * s + options.normal_weight * (s - 1) * (s - 1);
   }
   if (options.ends == Ends::fixed) {
     for (const double t : {0.0, 1.0}) {
@@ -104,6 +105,7 @@ TEST(PaperFit, EndsWithTheBestNormalsAndNotAboveTheStart) {
       options.ends = ends;
       options.samples = 20;
       options.most_steps = 300;
+      options.normal_weight = static_cast<double>(seed);
       const Rails rails = drawn_rails(seed);
       const PaperFit fit = paper_fit(rails, ten_pieces, options);
       const double best = best_objective(rails, mapping_of(ten_pieces, fit.beta), options, false);
@@ -117,18 +119,21 @@ TEST(PaperFit, EndsWithTheBestNormalsAndNotAboveTheStart) {
       }
       EXPECT_EQ(fit.objective, fit.curve.back().objective);
       EXPECT_FALSE(fit.stop.empty());
+      EXPECT_EQ(fit.gradient_error, 0) << "nobody has asked";
       EXPECT_TRUE(std::ranges::is_sorted(fit.beta));
     }
   }
 }
 
+/// At T = t one of 21 samples is at the knot 1/2 of the second rail.
 TEST(PaperFit, ItsGradientIsTheDerivativeForRationalRailsToo) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     PaperOptions options;
-    options.samples = 20;
+    options.samples = 21;
     options.most_steps = 1;
     options.check_gradient = true;
     options.ends = seed < 3 ? Ends::fixed : Ends::free;
+    options.normal_weight = static_cast<double>(seed);
     const double smooth = paper_fit(drawn_rails(seed), mapping_knots(3, {0, 0.5, 1}), options).gradient_error;
     EXPECT_GT(smooth, 0);
     EXPECT_LT(smooth, 1e-7);
@@ -191,6 +196,21 @@ TEST(DiscreteFit, FindsTheRulingsOfACylinder) {
   for (std::size_t i = 0; i < 20; ++i) EXPECT_NEAR(fit.beta[i], 0.8 * static_cast<double>(i) / 19, 5e-3);
 }
 
+/// Rails whose squares no double holds: nothing is found, and T = t is what was met.
+TEST(PaperFit, WithoutAFiniteObjectiveTheStartIsLeft) {
+  const auto line = [](double x, double y, double z) {
+    const std::vector<Vec<double, 4>> rows{{1, 0, y, z}, {1, x, 0, z}};
+    return Rail(Spline<double, Vec<double, 4>>(bezier_knots<double>(1), rows));
+  };
+  const PaperFit fit = paper_fit({line(1e200, 0, 0), line(1e200, 1e200, 1e200)}, mapping_knots(1, {0, 1}));
+  EXPECT_FALSE(fit.converged);
+  EXPECT_EQ(fit.beta, (std::vector<double>{0, 1}));
+  EXPECT_EQ(fit.stop.substr(0, 24), "the line search failed: ");
+  EXPECT_GT(fit.stop.size(), 24U);
+  EXPECT_TRUE(fit.curve.empty());
+  EXPECT_FALSE(std::isfinite(fit.objective));
+}
+
 TEST(PaperFit, TooFewSamples) {
   PaperOptions options;
   options.samples = 1;
@@ -201,6 +221,8 @@ TEST(PaperFit, TooFewSamples) {
     EXPECT_EQ(error.place(), "samples");
   }
   EXPECT_THROW(paper_fit(cylinder_rails(100), mapping_knots(1, {0, 1}), options), InvalidInput);
+  options.samples = 2;
+  EXPECT_EQ(discrete_fit(cylinder_rails(100), options).beta.size(), 2U);
 }
 
 }  // namespace
