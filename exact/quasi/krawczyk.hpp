@@ -30,9 +30,10 @@ class Krawczyk {
 
   /// Whether f has one zero in x + [-r, r], given all its slopes there.
   bool has_zero(const IntervalMatrix& slopes) const {
-    const IntervalMatrix rest = IntervalMatrix::Identity(slopes.rows(), slopes.cols()) - inverse_.lazyProduct(slopes);
+    const Eigen::Index n = box_.size();
+    const IntervalMatrix rest = IntervalMatrix::Identity(n, n) - inverse_.lazyProduct(slopes);
     const IntervalVector image = rest.lazyProduct(box_) - moves_;
-    for (Eigen::Index i = 0; i < image.size(); ++i) {
+    for (Eigen::Index i = 0; i < n; ++i) {
       if (!(box_[i].lower() < image[i].lower() && image[i].upper() < box_[i].upper())) return false;
     }
     return true;

@@ -119,8 +119,7 @@ std::vector<Q> separators(const KnotList<Q>& u, const std::vector<Crossing>& lis
     run = missing > 0 ? run + 1 : 1;
     if (run <= longest_run) continue;
     for (int j = 1; j <= missing; ++j) {
-      const Q t = repair::rounded(a + ratio<Q>(j, missing + 1) * (b - a), exponent_of(b - a) - 8);
-      if (a < t && t < b && !contains(u.list(), t)) knots.push_back(t);
+      knots.push_back(repair::rounded(a + ratio<Q>(j, missing + 1) * (b - a), exponent_of(b - a) - 8));
     }
     run = 1;
   }

@@ -56,9 +56,7 @@ CrossingFinder::CrossingFinder(const KnotList<Q>& u, std::span<const Vec<Q, D>> 
     const auto c_rows = homogeneous<D>(bezier_points(u, c, k));
     const auto d_rows = homogeneous<D>(bezier_points(u, d, k));
     for (const auto* rows : {&c_rows, &d_rows}) {
-      for (const auto& row : *rows) {
-        if (span.rank() < 4) span.insert(row);
-      }
+      for (const auto& row : *rows) span.insert(row);
     }
     const auto nearest = [](const Q& x) { return x.to_double(); };
     const auto hull = [](const Q& x) { return enclosure(x); };

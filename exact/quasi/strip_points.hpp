@@ -20,7 +20,7 @@ struct StripPoint {
   Vec<S, 3> by_v;
 };
 
-/// Two rails, each by the homogeneous Bezier points of its pieces.
+/// Two rails, each by the homogeneous Bezier points of its pieces, two or more of them.
 template <Field S>
 class StripPoints {
  public:
@@ -46,17 +46,17 @@ class StripPoints {
   /// ends of the tangent.
   static std::pair<Vec<S, 3>, Vec<S, 3>> curve(Rows row, const S& share) {
     const S rest = from_int<S>(1) - share;
-    Vec<S, 4> slope = PointTraits<Vec<S, 4>>::zero();
     const S degree = from_int<S>(static_cast<std::int64_t>(row.size()) - 1);
-    for (std::size_t size = row.size(); size > 1; --size) {
-      if (size == 2) slope = scaled(degree, difference(row[1], row[0]));
+    for (std::size_t size = row.size(); size > 2; --size) {
       for (std::size_t i = 0; i + 1 < size; ++i) row[i] = combine(rest, row[i], share, row[i + 1]);
     }
+    const Vec<S, 4> slope = scaled(degree, difference(row[1], row[0]));
+    const Vec<S, 4> value = combine(rest, row[0], share, row[1]);
     Vec<S, 3> point;
     Vec<S, 3> by_share;
     for (int k = 0; k < 3; ++k) {
-      point[k] = row[0][k + 1] / row[0][0];
-      by_share[k] = (slope[k + 1] - slope[0] * point[k]) / row[0][0];
+      point[k] = value[k + 1] / value[0];
+      by_share[k] = (slope[k + 1] - slope[0] * point[k]) / value[0];
     }
     return {point, by_share};
   }

@@ -38,7 +38,8 @@ struct Edge {
 };
 
 /// The square of the distance between a point and an edge, or less: that from the edge's line, where the point is
-/// beside the edge or rounding hides that it is not.
+/// beside the edge or rounding hides that it is not. Nothing is known of it beside an edge whose length has a square
+/// that a double cannot tell from 0.
 Interval distance2(const PlatePoint& p, const Edge& e) {
   const Vector along = from_to(e.a, e.b);
   const Vector to = from_to(e.a, p);
@@ -49,7 +50,6 @@ Interval distance2(const PlatePoint& p, const Edge& e) {
   const Interval at_b = inner(back, back);
   if (foot.upper() <= 0) return at_a;
   if (foot.lower() >= length2.upper()) return at_b;
-  if (length2.contains(0)) return at_a.lower() < at_b.lower() ? at_a : at_b;
   const Interval area = product(along, to);
   return area * area / length2;
 }

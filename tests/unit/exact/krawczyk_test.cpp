@@ -47,6 +47,16 @@ TEST(Krawczyk, AValueOfZeroHasABoxToo) {
   EXPECT_FALSE(has_zero(exact, [](double t) { return t < 0.25 ? -1.0 : 3.0; })) << "slopes of both signs";
 }
 
+/// 2^-53 + t/4 is 0 at t = -2^-51, where the box about 0 ends: what is not inside is not told.
+TEST(Krawczyk, AZeroAtTheEndOfTheBoxIsNotTold) {
+  const Krawczyk test(Eigen::MatrixXd::Identity(1, 1), IntervalVector::Constant(1, Interval::point(0x1p-53)));
+  ASSERT_EQ(test.box()[0].upper(), 0x1p-51);
+  for (const double value : {0x1p-53, -0x1p-53}) {
+    EXPECT_FALSE(has_zero({0, Interval::point(value), 1}, [](double) { return 0.25; }));
+    EXPECT_TRUE(has_zero({0, Interval::point(value), 1}, [](double) { return 0.3125; })) << "at 4/5 of it";
+  }
+}
+
 /// What is not known of the value counts: 0 in its middle does not make it a zero.
 TEST(Krawczyk, AnUncertainValueWidensTheBox) {
   const Krawczyk test(Eigen::MatrixXd::Identity(1, 1), IntervalVector::Constant(1, Interval::hull(-0.25, 0.125)));

@@ -96,6 +96,17 @@ TEST(Overlap, ATipOverTheMiddleOfAnEdgeIsNear) {
   }
 }
 
+/// A tip above the middle of a short edge, and an edge from there to below it. Where the square of the short edge's
+/// length is no double, nothing is known of what is near it.
+TEST(Overlap, AnEdgeOfNoMeasurableLengthIsNotDecided) {
+  const auto verdict = [](double length) {
+    return find_overlap(outline({{0, 0}, {length, 0}, {0, -3}, {4, -1}, {length / 2, 1}, {-4, 0.5}}, 0), {}).verdict;
+  };
+  EXPECT_EQ(verdict(0x1p-100), Truth::no);
+  EXPECT_EQ(verdict(0x1p-500), Truth::no);
+  EXPECT_EQ(verdict(0x1p-600), Truth::unknown);
+}
+
 /// Two uprights with a gap between them that is smaller than both errors together and larger than either.
 TEST(Overlap, BothEdgesMayBeOff) {
   constexpr double gap = 1.5e-3;

@@ -197,6 +197,27 @@ TEST(RepairCandidates, ConstantsAreNearAndSimple) {
 }
 
 /// The centre is near the middle of the box and short, however far away that is.
+/// One equation over the knots -1 and 1, w (c_0 + c_1) + a (c_1 - c_0) = w' (d_0 + d_1) + a' (d_1 - d_0), which holds
+/// for the constants named below alone: every other constant has a vector across those of these.
+template <int D>
+bool has_constants(const std::vector<std::vector<int>>& points) {
+  RealNet<D> net;
+  for (const std::vector<int>& point : points) {
+    Vec<Real, D> x;
+    for (int j = 0; j < D; ++j) x[j] = Real(point[static_cast<std::size_t>(j)]);
+    net.points.push_back(x);
+    net.scale.push_back(Real(1));
+  }
+  return constant_candidate<D>(knots(1, {-1, 1}), net, Real(1)).has_value();
+}
+
+TEST(RepairCandidates, AConstantAtInfinityIsNone) {
+  EXPECT_FALSE(has_constants<3>({{-1, 0, 0}, {-2, 0, 1}, {1, 0, 0}, {2, 0, 1}})) << "2 a = 4 a'";
+  EXPECT_FALSE(has_constants<4>({{1, -3, 0, 0}, {1, 1, 0, 1}, {3, -1, 0, 0}, {1, 1, 0, -1}})) << "a = w'";
+  EXPECT_FALSE(has_constants<4>({{1, 1, 0, 1}, {1, -3, 0, 0}, {1, 1, 0, -1}, {3, -1, 0, 0}})) << "w = a'";
+  EXPECT_TRUE(has_constants<4>({{1, 1, 0, 1}, {1, 2, 0, 0}, {1, 1, 0, -1}, {1, 0, 0, 0}})) << "w = w'";
+}
+
 TEST(RepairFrame, CentreIsInTheMiddle) {
   std::mt19937_64 rng(3);
   for (int trial = 0; trial < 50; ++trial) {

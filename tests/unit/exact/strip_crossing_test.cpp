@@ -79,6 +79,111 @@ TEST(CrossingFinder, InEveryPlane) {
   }
 }
 
+/// What is found near two rulings, whichever of them is named first.
+std::optional<RulingCrossing> near_both(const KnotList<Q>& u, const Row& c, const Row& d, double s, double t) {
+  const std::optional<RulingCrossing> found = near(u, c, d, s, t);
+  const std::optional<RulingCrossing> other = near(u, c, d, t, s);
+  EXPECT_EQ(found.has_value(), other.has_value());
+  if (found && other) {
+    EXPECT_EQ(found->first, other->second);
+    EXPECT_EQ(found->first_share, other->second_share);
+    EXPECT_EQ(found->second, other->first);
+    EXPECT_EQ(found->second_share, other->first_share);
+  }
+  return found;
+}
+
+const KnotList<Q> three(1, {Q(0), Q(1), Q(2), Q(3)});
+
+/// A floor and, over the middle of it, a wall between two heights: it goes through the floor where these have different
+/// signs. Where one of them is 0 a rail lies on the floor, and points of rails are left out.
+TEST(CrossingFinder, AWallThroughTheFloor) {
+  for (int low = -3; low <= 3; ++low) {
+    for (int high = -3; high <= 3; ++high) {
+      if (low == high) continue;
+      const Row c{point(0, 0, 0), point(4, 0, 0), point(3, 2, low), point(1, 2, low)};
+      const Row d{point(0, 4, 0), point(4, 4, 0), point(3, 2, high), point(1, 2, high)};
+      const auto found = near_both(three, c, d, 0.5, 2.5);
+      EXPECT_EQ(found.has_value(), low * high < 0) << low << " " << high;
+      if (found) {
+        EXPECT_DOUBLE_EQ(found->first_share, 0.5);
+        EXPECT_DOUBLE_EQ(found->second_share, low / static_cast<double>(low - high));
+      }
+    }
+  }
+}
+
+/// The last wall comes from (1, 6) down to (1, y), the first one goes from (0, 0) to (2, 0). For y = 0 they have the
+/// ruling in common that is the end of the one and the middle of the other.
+TEST(CrossingFinder, WallsThatEndBeforeAnotherOneDoNotCrossIt) {
+  for (const int y : {-2, -1, 0, 1, 2}) {
+    Row base{point(0, 0, 0), point(2, 0, 0), point(1, 6, 0), point(1, y, 0)};
+    const auto found = near_both(three, base, raised(base), 0.5, 2.5);
+    EXPECT_EQ(found.has_value(), y <= 0) << y;
+    if (found) {
+      EXPECT_DOUBLE_EQ(found->first, 0.5);
+      EXPECT_DOUBLE_EQ(found->second, 2 + 6.0 / (6 - y));
+    }
+    std::ranges::reverse(base);
+    EXPECT_EQ(near_both(three, base, raised(base), 0.5, 2.5).has_value(), y <= 0) << y;
+  }
+}
+
+/// Two sheets in one plane, out of which the strip goes between them: rulings along y from 0 to 4 and from 1 to 5, at
+/// places x that come again. What is equal are the points at 5/8 and 3/8 of the ways.
+TEST(CrossingFinder, SheetsUponEachOtherArePairedExactly) {
+  const Row c{point(0, 0, 0), point(4, 0, 0), point(4, 1, 4), point(4, 1, 0), point(0, 1, 0)};
+  const Row d{point(0, 4, 0), point(4, 4, 0), point(4, 5, 4), point(4, 5, 0), point(0, 5, 0)};
+  const auto found = near_both(four, c, d, 0.25, 3.75);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->first, 0.25);
+  EXPECT_EQ(found->first_share, 0.625);
+  EXPECT_EQ(found->second, 3.75);
+  EXPECT_EQ(found->second_share, 0.375);
+}
+
+/// The same with homogeneous rows of which those of the first sheet vanish at its middle, times 1 - 2t: a point that
+/// the numbers of the rows do not have is not said to be anywhere.
+TEST(CrossingFinder, ARowThatVanishesIsNoPoint) {
+  const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2), Q(3), Q(3), Q(4), Q(4)});
+  const auto rows = [](int y) {
+    const auto row = [](int w, int x, int height, int z) { return Vec<Q, 4>(Q(w), Q(x), Q(height), Q(z)); };
+    return std::vector<Vec<Q, 4>>{row(1, 0, y, 0),        row(0, 2, 0, 0),         row(-1, -4, -y, 0),
+                                  row(-1, -4, -y, -2),    row(-1, -4, -y - 1, -4), row(-1, -4, -y - 1, -2),
+                                  row(-1, -4, -y - 1, 0), row(-1, -2, -y - 1, 0),  row(-1, 0, -y - 1, 0)};
+  };
+  const std::vector<Vec<Q, 4>> c = rows(0);
+  const std::vector<Vec<Q, 4>> d = rows(4);
+  const CrossingFinder finder(u, std::span<const Vec<Q, 4>>(c), std::span<const Vec<Q, 4>>(d));
+  EXPECT_TRUE(finder.near(0.25, 3.75));
+  EXPECT_FALSE(finder.near(0.5 + 0x1p-33, 3.5 - 0x1p-33));
+  EXPECT_FALSE(finder.near(3.5 - 0x1p-33, 0.5 + 0x1p-33));
+}
+
+/// Points are rows of weight 1, in every number that is found.
+TEST(CrossingFinder, PointsAreHomogeneousRows) {
+  const Row base{point(0, 0, 0), point(5, 1, 0), point(2, 7, 0), point(3, -4, 0)};
+  const Row top = raised(base);
+  const auto rows = [](const Row& points) {
+    std::vector<Vec<Q, 4>> result;
+    for (const Point& x : points) result.push_back(Vec<Q, 4>(Q(1), x[0], x[1], x[2]));
+    return result;
+  };
+  const std::vector<Vec<Q, 4>> c = rows(base), d = rows(top);
+  const CrossingFinder finder(three, std::span<const Vec<Q, 4>>(c), std::span<const Vec<Q, 4>>(d));
+  double farthest = 0;
+  for (int i = 0; i < 10; ++i) {
+    const auto found = near(three, base, top, 0.1 * i, 2.25);
+    const auto other = finder.near(0.1 * i, 2.25);
+    ASSERT_TRUE(found && other) << i;
+    EXPECT_EQ(found->first, other->first);
+    EXPECT_EQ(found->second, other->second);
+    EXPECT_EQ(found->distance, other->distance);
+    farthest = std::max(farthest, found->distance);
+  }
+  EXPECT_GT(farthest, 0);
+}
+
 /// The parameters are those of the knots: walls that cross in the middle of [10, 12] and a third into [13, 16].
 TEST(CrossingFinder, NamesParametersOfTheKnots) {
   const KnotList<Q> u(1, {Q(10), Q(12), Q(13), Q(16)});
