@@ -184,6 +184,14 @@ TEST(FitResult, WhereNothingFoldsOneAngleWillDo) {
   EXPECT_EQ(share_of_folds({arc(0), arc(100)}, fit.mapping, 100), 0);
 }
 
+/// This mapping is steepest in its first step, and better where that is the second one.
+TEST(FitResult, TheFirstStepMayBeTheOneToShift) {
+  const Fit fit = fit_rails(drawn_rails(22), {.degree = 1, .coefficients = 12, .kind = AngleKind::sides});
+  const auto shifted = std::ranges::find(fit.stages, "shifted", &FitStage::start);
+  ASSERT_NE(shifted, fit.stages.end());
+  EXPECT_LT(shifted->after, 0.999 * fit.stages.front().after);
+}
+
 /// What the last stage of a fit by the maximum promises is there: its mean, and a maximum that has not grown.
 TEST(FitResult, TheMeanThatIsLoweredIsThatOfItsMapping) {
   FitOptions options;
