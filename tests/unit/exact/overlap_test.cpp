@@ -48,6 +48,7 @@ TEST(Overlap, SimpleOutlines) {
   EXPECT_EQ(find_overlap(outline({{0, 0}, {4, 0}, {4, 3}, {0, 0}}, 0), {}).verdict, Truth::no);
   EXPECT_EQ(find_overlap(band(0.99, 0, 1e-6), middles(0.99)).verdict, Truth::no);
   EXPECT_EQ(find_overlap(band(3, 1.1, 1e-6), middles(3)).verdict, Truth::no);
+  EXPECT_TRUE(find_overlap(band(3, 1.1, 1e-6), middles(3)).meetings.empty());
 }
 
 TEST(Overlap, ABowTieAndWhereItCrosses) {
@@ -60,11 +61,39 @@ TEST(Overlap, ABowTieAndWhereItCrosses) {
   EXPECT_TRUE(overlap.meetings[0].certain);
 }
 
+/// (1, 2) + s (6, 3) = (6, -1) + t (-4, 10) for s = 19/36 and t = 11/24.
+TEST(Overlap, TheCrossingIsWhereTheEdgesMeet) {
+  std::vector<PlatePoint> points{{1, 2}, {7, 5}, {6, -1}, {2, 9}};
+  for (int turn = 0; turn < 4; ++turn) {
+    const Overlap overlap = find_overlap(outline(points, 1e-6), {});
+    ASSERT_EQ(overlap.meetings.size(), 1U);
+    EXPECT_NEAR(overlap.meetings[0].at.x, 25.0 / 6, 1e-14);
+    EXPECT_NEAR(overlap.meetings[0].at.y, 43.0 / 12, 1e-14);
+    std::ranges::rotate(points, points.begin() + 1);
+  }
+}
+
 TEST(Overlap, MoreThanATurn) {
   EXPECT_EQ(find_overlap(band(1.5, 0.3, 1e-6), middles(1.5)).verdict, Truth::yes);
   // Exactly on itself twice: no edge crosses another, but points are covered twice.
   EXPECT_EQ(find_overlap(band(2, 0, 1e-6), middles(2)).verdict, Truth::yes);
   EXPECT_EQ(find_overlap(band(2, 0, 1e-6), {}).verdict, Truth::unknown);
+  EXPECT_EQ(find_overlap(band(2, 0, 1e-6), {}).meetings.size(), most_meetings);
+}
+
+/// From (-3/2, 0) straight to the right and to the left are corners of the outline, at exactly this height.
+TEST(Overlap, CornersAtTheHeightOfAPointCountOnce) {
+  Outline twice = band(2, 0, 1e-6);
+  for (const double side : {1.0, -1.0}) {
+    for (int sense = 0; sense < 2; ++sense) {
+      for (int upside = 0; upside < 2; ++upside) {
+        EXPECT_EQ(find_overlap(twice, {{-1.5 * side, 0}}).verdict, Truth::yes);
+        for (PlatePoint& x : twice.points) x.y = -x.y;
+      }
+      std::ranges::reverse(twice.points);
+    }
+    for (PlatePoint& x : twice.points) x.x = -x.x;
+  }
 }
 
 TEST(Overlap, TheSenseOfTheOutlineDoesNotMatter) {
@@ -114,6 +143,23 @@ TEST(Overlap, BothEdgesMayBeOff) {
                                      {gap, 3}, {gap, 0}, {4, 0}, {4, 5},  {-4, 5}};
   EXPECT_EQ(find_overlap(outline(slot, 1e-3), {}).verdict, Truth::unknown);
   EXPECT_EQ(find_overlap(outline(slot, 0.7e-3), {}).verdict, Truth::no);
+}
+
+/// The same with a gap of 1 that both errors together reach exactly: upright, and lying with the edge that begins first
+/// below and above.
+TEST(Overlap, WhatErrorsReachExactlyIsNotDecided) {
+  const std::vector<PlatePoint> upright{{-40, 0}, {0, 0}, {0, 30}, {-10, 40}, {20, 40},
+                                        {1, 30},  {1, 0}, {41, 0}, {41, 60},  {-40, 60}};
+  const std::vector<PlatePoint> lying{{0, 0},  {100, 0}, {110, -10}, {120, 30},  {100, 30}, {90, 1},
+                                      {30, 1}, {30, 40}, {130, 40},  {130, -40}, {0, -40}};
+  for (const std::vector<PlatePoint>& slot : {upright, lying}) {
+    for (const double mirror : {1.0, -1.0}) {
+      std::vector<PlatePoint> points = slot;
+      for (PlatePoint& x : points) x.y *= mirror;
+      EXPECT_EQ(find_overlap(outline(points, 0.5), {}).verdict, Truth::unknown);
+      EXPECT_EQ(find_overlap(outline(points, 0.4375), {}).verdict, Truth::no);
+    }
+  }
 }
 
 /// A corner beyond the end of an edge, almost in line with it, whose own edge goes back above it.

@@ -13,6 +13,7 @@
 #include "torse/exact/repair/edge_start.hpp"
 #include "torse/exact/repair/families.hpp"
 #include "torse/exact/repair/frame.hpp"
+#include "torse/exact/repair/segments.hpp"
 #include "torse/spline/elevation.hpp"
 
 namespace torse::repair {
@@ -196,7 +197,23 @@ TEST(RepairCandidates, ConstantsAreNearAndSimple) {
   }
 }
 
-/// The centre is near the middle of the box and short, however far away that is.
+/// Two parts with constants of their own, each between the knots where it begins and ends.
+TEST(RepairCandidates, PartsHaveTheirConstants) {
+  std::mt19937_64 rng(3);
+  const KnotList<Q> u = knots(2, {-3, -3, 1, 1, 2, 2});
+  const std::vector<Row4> p = winding(u.last() + 1, false, rng);
+  const std::vector<Row4> r = winding(u.last() + 1, false, rng);
+  const RealNet<3> net = noisy_net<3>(p, r, rng);
+  const auto candidate = segments_candidate<3>(u, net, Real(1000));
+  ASSERT_TRUE(candidate);
+  ASSERT_EQ(candidate->constants.size(), 2U);
+  EXPECT_EQ(candidate->constants[0].from, q(-3));
+  EXPECT_EQ(candidate->constants[0].to, q(1));
+  EXPECT_EQ(candidate->constants[1].from, q(1));
+  EXPECT_EQ(candidate->constants[1].to, q(2));
+  EXPECT_FALSE(segments_candidate<3>(knots(2, {-3, -3, 2, 2}), part_of(net, {0, 2, u}), Real(1000))) << "one part";
+}
+
 /// One equation over the knots -1 and 1, w (c_0 + c_1) + a (c_1 - c_0) = w' (d_0 + d_1) + a' (d_1 - d_0), which holds
 /// for the constants named below alone: every other constant has a vector across those of these.
 template <int D>
@@ -218,6 +235,7 @@ TEST(RepairCandidates, AConstantAtInfinityIsNone) {
   EXPECT_TRUE(has_constants<4>({{1, 1, 0, 1}, {1, 2, 0, 0}, {1, 1, 0, -1}, {1, 0, 0, 0}})) << "w = w'";
 }
 
+/// The centre is near the middle of the box and short, however far away that is.
 TEST(RepairFrame, CentreIsInTheMiddle) {
   std::mt19937_64 rng(3);
   for (int trial = 0; trial < 50; ++trial) {
