@@ -165,9 +165,7 @@ class Fitter {
     Descent descent = descend_from("moved knots", samples, held(std::move(beta)), descent_options());
     if (!(descent.value * degrees < worth_while * value_)) return;
     beta_ = std::move(descent.beta);
-    value_ = descent.value * degrees;
     knots_ = knots;
-    breaks_ = breaks;
   }
 
   /// A few rulings decide the maximum, often those at fixed ends. The others are made good among mappings with no

@@ -64,9 +64,9 @@ TEST(Diagnosis, WhereTheDevelopableRulingsAre) {
   expect_one(hundredths({100}), Obstacle::mapping, 0);
 }
 
-/// f = -1/4: of the rulings on the rail that to T = 0 is the nearest to the developable one before it.
+/// f = -1/4 + t/100: of the rulings on the rail that to T = 0 is the nearest to the developable one before it.
 TEST(Diagnosis, TheBestRulingMayBeTheFirst) {
-  const Rails rails = rails_with(hundredths({-25}));
+  const Rails rails = rails_with(hundredths({-25, 1}));
   const std::vector<Finding> found = findings_of(rails, 0.01);
   ASSERT_EQ(found.size(), 1U);
   double best = 0;
@@ -93,6 +93,20 @@ TEST(Diagnosis, MeanAndMaximumOfSmallWarps) {
     EXPECT_NEAR(found[k].max, max, 1e-12);
   }
   EXPECT_TRUE(diagnose(rails, identity).empty()) << "by the threshold of one degree";
+  const Rails more = rails_with(hundredths({3, 100}));
+  EXPECT_LT(warp(more, 0, 0), 2);
+  EXPECT_GT(warp(more, 0, 0), 1);
+  EXPECT_FALSE(diagnose(more, identity).empty());
+}
+
+/// f = t + t^2 / 4: the warp grows on the way.
+TEST(Diagnosis, TheMaximumMayComeLast) {
+  const Rails rails = rails_with(hundredths({0, 100, 25}));
+  for (const Finding& finding : findings_of(rails, 0.01)) {
+    const double last = finding.to - 0.5 / 80;
+    EXPECT_NEAR(finding.max, warp(rails, last, last), 1e-9);
+    EXPECT_GT(finding.max, 1.02 * warp(rails, finding.from + 0.5 / 80, finding.from + 0.5 / 80));
+  }
 }
 
 /// The tangents turn past a right angle from those of c: the warp jumps from 90 to -90 degrees, and none is 0.
