@@ -69,7 +69,6 @@ void MonotoneModel::solve_tied(const BandedMatrix& h, std::span<const double> ta
   }
   const std::size_t last = groups - 1;
   if (tied_[0]) {
-    reduced_.at(0, 0) = 1;
     unknowns_[0] = 0;
     for (std::size_t k = 1; k <= std::min(h.width(), last); ++k) reduced_.at(0, k) = 0;
   }
