@@ -184,6 +184,29 @@ TEST(FitResult, WhereNothingFoldsOneAngleWillDo) {
   EXPECT_EQ(share_of_folds({arc(0), arc(100)}, fit.mapping, 100), 0);
 }
 
+/// Where it costs nothing no two coefficients are equal at an end, and elsewhere no more than leave a slope at the knot
+/// that they share. Some of them would be: their rise is that of equal ones that are parted.
+TEST(FitResult, MappingsHaveASlopeEverywhere) {
+  std::array<int, 3> parted{};
+  for (const int degree : {1, 2, 3}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      FitOptions options;
+      options.degree = degree;
+      options.coefficients = 30;
+      options.kind = AngleKind::sides;
+      const std::vector<double> beta = coefficients(fit_rails(drawn_rails(seed), options).mapping);
+      EXPECT_LT(beta[0], beta[1]) << degree << " " << seed;
+      EXPECT_LT(beta[28], beta[29]) << degree << " " << seed;
+      const std::size_t inside = degree == 3 ? 2 : 1;
+      for (std::size_t i = 0; i + inside < beta.size(); ++i) {
+        EXPECT_LT(beta[i], beta[i + inside]) << degree << " " << seed << " " << i;
+        if (beta[i + inside] - beta[i] < 1e-6) ++parted[static_cast<std::size_t>(degree) - 1];
+      }
+    }
+  }
+  for (const int count : parted) EXPECT_GT(count, 0);
+}
+
 /// This mapping is steepest in its first step, and better where that is the second one.
 TEST(FitResult, TheFirstStepMayBeTheOneToShift) {
   const Fit fit = fit_rails(drawn_rails(22), {.degree = 1, .coefficients = 12, .kind = AngleKind::sides});
