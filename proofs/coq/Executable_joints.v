@@ -149,14 +149,11 @@ move=> hv sz /andP[le_i lt_i] /andP[le_j lt_j] up_i up_j often; have {}often y :
 by case/orP: (leq_total i j) => le_ij; [|apply/esym]; apply: blossoms_crossed; rewrite ?le_i ?le_j //= => y in_y; apply: often; rewrite in_y ?orbT.
 Qed.
 
-(** blossoms continuous: the pieces of a curve that hold $t$, $u_i\le t\le u_{i+1}$ and $u_j\le t\le u_{j+1}$, have the same point there.
-    Hypotheses: an ordered field; the list of knots is accepted, so that no knot is there more than $n$ times; the pieces are not empty. *)
-Theorem blossoms_continuous n u (c : nat -> 'rV[F]_m) i j t : valid n u -> (n.-1 <= i < size u - n)%N -> (n.-1 <= j < size u - n)%N ->
+Lemma same_value n u c i j t : valid n u -> (n.-1 <= i < size u - n)%N -> (n.-1 <= j < size u - n)%N ->
   at_list u i < at_list u i.+1 -> at_list u j < at_list u j.+1 -> at_list u i <= t <= at_list u i.+1 -> at_list u j <= t <= at_list u j.+1 ->
-  ev (pcurve n (piece n i (at_list u)) (piece n i c)) t = ev (pcurve n (piece n j (at_list u)) (piece n j c)) t.
+  (curve n (piece n i (at_list u)) (piece n i c)).[t] = (curve n (piece n j (at_list u)) (piece n j c)).[t].
 Proof.
-move=> hv bi bj up_i up_j in_i in_j; apply/rowP=> l; rewrite !mxE !horner_curve; [|by apply: blossoms_carried; rewrite ?lt_eqF..].
-rewrite -[LHS]/(blossom (piece n i (at_list u)) (piece n i (coord c l)) (nseq n (at_ t))).
+move=> hv bi bj up_i up_j in_i in_j; rewrite !horner_curve; [|by apply: blossoms_carried; rewrite ?lt_eqF..].
 rewrite (crossed _ hv (size_nseq _ _) bi bj up_i up_j) // => y yu in_y; have [n0 le_n _] := bounds_of hv.
 have [lt_i lt_j] : (i.+1 < size u)%N /\ (j.+1 < size u)%N by move: bi bj n0 le_n; clear; split; lia.
 have -> : y = t.
@@ -164,4 +161,50 @@ have -> : y = t.
   by case/orP: in_y => /andP[lt_y le_y]; rewrite (le_trans le_y) // (le_trans _ (next_knot hv _ yu lt_y)).
 by rewrite count_nseq /= eqxx mul1n times_of.
 Qed.
+
+Lemma same_piece p v c k1 k2 t : valid p v -> (p + k1 - 1 < size v - p)%N -> (p + k2 - 1 < size v - p)%N ->
+  span p (drop_ k1 (at_list v)) -> span p (drop_ k2 (at_list v)) ->
+  at_list v (p + k1 - 1) <= t <= at_list v (p + k1) -> at_list v (p + k2 - 1) <= t <= at_list v (p + k2) ->
+  (curve p (drop_ k1 (at_list v)) (drop_ k1 c)).[t] = (curve p (drop_ k2 (at_list v)) (drop_ k2 c)).[t].
+Proof.
+move=> hv; have [p0 le_p _] := bounds_of hv; have ek k : ((p + k - 1).+1 = p + k /\ p + k - p = k)%N by move: p0; clear; lia.
+have up k : (p + k - 1 < size v - p)%N -> span p (drop_ k (at_list v)) -> at_list v (p + k - 1) < at_list v (p + k).
+  move=> lt_k sp; rewrite lt_neqAle (knots_up hv) ?andbT; last by move: lt_k p0 le_p; clear; lia.
+  have e : (k + p.-1 = p + k - 1)%N by move: p0; clear; lia.
+  by have := sp p.-1 p; rewrite unitfE /drop_ subr_eq0 eq_sym e [(k + p)%N]addnC; apply; move: p0; clear; lia.
+move=> b1 b2 sp1 sp2 in_1 in_2; have := @same_value p v c (p + k1 - 1) (p + k2 - 1) t hv.
+rewrite (ek k1).1 (ek k2).1 (ek k1).2 (ek k2).2.
+have lo k : (p.-1 <= p + k - 1)%N by move: p0; clear; lia.
+by apply; rewrite ?lo //; [rewrite -(ek k1).1 | rewrite -(ek k2).1 | exact: up | exact: up].
+Qed.
+
+Lemma piece_lies n u t (k := (piece_at K n u t).-1) : valid n u -> at_list u n.-1 <= t <= at_list u (size u - n) ->
+  lies n u t (n + k - 1) /\ ((n + k - 1).+1 - n = k)%N.
+Proof.
+move=> hv in_t; have [e _] := piece_atE hv in_t; have h := lies_in hv in_t; have [b _ _ _] := h; have [n0 _ _] := bounds_of hv.
+by rewrite /k e; move: b h; set j := interval _ _ _ _ => b h; rewrite (_ : n + _ - 1 = j)%N //; move: b n0; clear; lia.
+Qed.
+
+(* The piece that the program finds for s holds the next parameter t with no knot between as well. *)
+Lemma next_value n u c s t (k := (piece_at K n u s).-1) (h := (piece_at K n u t).-1) : valid n u -> at_list u n.-1 <= s -> s < t ->
+  t <= at_list u (size u - n) -> (forall y, y \in u -> ~~ (s < y < t)) ->
+  (curve n (drop_ k (at_list u)) (drop_ k c)).[t] = (curve n (drop_ h (at_list u)) (drop_ h c)).[t].
+Proof.
+move=> hv le_s lt_st le_t none; have [n0 le_n _] := bounds_of hv.
+have [|[bk k_s up_k s_k] ek] := @piece_lies n u s hv; first by rewrite le_s ltW // (lt_le_trans lt_st).
+have [|[bh h_t up_h t_h] eh] := @piece_lies n u t hv; first by rewrite le_t (le_trans le_s) // ltW.
+rewrite -/k in bk k_s up_k s_k ek; rewrite -/h in bh h_t up_h t_h eh; rewrite -ek -eh.
+apply: same_value => //; last by rewrite h_t; case: t_h => [/ltW|[->]].
+rewrite (le_trans k_s (ltW lt_st)) /= leNgt; apply/negP=> lt_t; case: s_k => [lt_s|[_ ge_s]].
+  have lt_k : ((n + k - 1).+1 < size u)%N by move: bk n0 le_n; clear; lia.
+  by have := none _ (mem_nth 0 lt_k); rewrite lt_s lt_t.
+by move: lt_st; rewrite ltNge (le_trans le_t).
+Qed.
+
+(** blossoms continuous: the pieces of a curve that hold $t$, $u_i\le t\le u_{i+1}$ and $u_j\le t\le u_{j+1}$, have the same point there.
+    Hypotheses: an ordered field; the list of knots is accepted, so that no knot is there more than $n$ times; the pieces are not empty. *)
+Theorem blossoms_continuous n u (c : nat -> 'rV[F]_m) i j t : valid n u -> (n.-1 <= i < size u - n)%N -> (n.-1 <= j < size u - n)%N ->
+  at_list u i < at_list u i.+1 -> at_list u j < at_list u j.+1 -> at_list u i <= t <= at_list u i.+1 -> at_list u j <= t <= at_list u j.+1 ->
+  ev (pcurve n (piece n i (at_list u)) (piece n i c)) t = ev (pcurve n (piece n j (at_list u)) (piece n j c)) t.
+Proof. by move=> hv bi bj up_i up_j in_i in_j; apply/rowP=> l; rewrite !mxE; apply: (same_value (coord c l)). Qed.
 End Joints.

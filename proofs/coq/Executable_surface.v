@@ -12,11 +12,10 @@
      piece_of_values p v s t    the piece of v between s and t
      first_net, second_net      the points of C_1 and of C_2 o sigma between two breakpoints, of degree D
      glued nets                 the nets one after the other, each without its first point but the first
-     surface_program            the knots and the two rows
-     meet D nets                each net of degree D begins where the one before ends *)
+     surface_program            the knots and the two rows *)
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Torse Require Import Blossom Curves Points Bernstein Bezier Segments Insertion BZZ19_3 BZZ19_4 BZZ19_4_pieces BZZ19_4_written FJ21_4 Executable Executable_knots
-  Executable_splines Executable_composition Executable_mappings Executable_elimination.
+  Executable_splines Executable_composition Executable_mappings Executable_joints Executable_elimination.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -173,22 +172,26 @@ Lemma elevationE c k D : good [fieldType of F] D.+1 -> (0 < size c)%N -> (size c
   pbez D (at_list (elevation_program K V c k)) = pbez (size c).-1 (at_list c).
 Proof. by move=> g c0 sz; have := @BZZ19_15_program [fieldType of F] 3 (fun x y : F => x < y) c k; rewrite sz; apply. Qed.
 
+Lemma in_left y w u : y \in w -> y \in w ++ u.
+Proof. by move=> yw; rewrite mem_cat yw. Qed.
+
 (* The piece that the program finds for a parameter. *)
 Lemma piece_found n u t (k := (piece_at K n u t).-1) : valid n u -> at_list u n.-1 <= t <= at_list u (size u - n) ->
-  [/\ (0 < piece_at K n u t)%N, span n (drop_ k (at_list u)) & at_list u (n + k - 1) < at_list u (n + k)].
+  [/\ (0 < piece_at K n u t)%N, span n (drop_ k (at_list u)), at_list u (n + k - 1) < at_list u (n + k) & (n + k - 1 < size u - n)%N].
 Proof.
 move=> hv in_t; have [e sp] := piece_atE hv in_t; have [b _ lt_j _] := blossoms_interval hv in_t; have [n0 le_n _] := bounds_of hv.
-rewrite /k e; split=> //; move: b lt_j; set j := interval _ _ _ _ => b lt_j /=.
-by rewrite (_ : n + (j.+1 - n) - 1 = j)%N 1?(_ : n + (j.+1 - n) = j.+1)%N //; move: b n0; clear; lia.
+rewrite /k e; move: b lt_j sp; set j := interval _ _ _ _ => b lt_j sp.
+have [-> ->] : (n + (j.+1 - n).+1.-1 - 1 = j)%N /\ (n + (j.+1 - n).+1.-1 = j.+1)%N by move: b n0; clear; lia.
+by split=> //; case/andP: b.
 Qed.
 
 Lemma second_netE D p v e d w b s t r (k := (piece_at K d w s).-1) (sigma := curve d (drop_ k (at_list w)) (drop_ k (at_list b))) :
   good [fieldType of F] D.+1 -> (p * d <= D)%N -> valid p v -> valid d w -> at_list w d.-1 <= s <= at_list w (size w - d) ->
   second_net K V D p v e d w b s t = Value r ->
-  exists2 k2, [/\ span p (drop_ k2 (at_list v)), at_list v (p + k2 - 1) <= sigma.[s], sigma.[s] <= sigma.[t] & sigma.[t] <= at_list v (p + k2)] &
+  exists2 k2, [/\ span p (drop_ k2 (at_list v)), (p + k2 - 1 < size v - p)%N, at_list v (p + k2 - 1) <= sigma.[s], sigma.[s] <= sigma.[t] & sigma.[t] <= at_list v (p + k2)] &
     size r = D.+1 /\ pbez D (at_list r) = map_mx (fun f => f \Po line s t) (after (pcurve p (drop_ k2 (at_list v)) (drop_ k2 (at_list e))) sigma).
 Proof.
-move=> g le_D hv hw in_s; have [k0 spw ltw] := piece_found hw in_s; rewrite /second_net.
+move=> g le_D hv hw in_s; have [k0 spw ltw _] := piece_found hw in_s; rewrite /second_net.
 have val y : value_of K d w b s y = sigma.[y] by rewrite /value_of drop_scalar /sigma horner_curve.
 case Ep : (piece_of_values K p v (value_of K d w b s s) (value_of K d w b s t)) => [k2|] //; move: Ep; rewrite /piece_of_values !val.
 move=> Ep; have [/andP[/andP[st lo] hi] Ep2] := given_Value Ep; have [/andP[lo2 hi2] Ep3] := given_Value Ep2; have ek := Value_inj Ep3.
@@ -196,7 +199,7 @@ rewrite /= -leNgt in st; rewrite /= -leNgt in lo; rewrite /= -leNgt /last_ in hi
 have mid : at_list v p.-1 <= (sigma.[s] + sigma.[t]) / of_nat K 2 <= at_list v (size v - p).
   rewrite of_natE ler_pdivl_mulr ?ltr0n // ler_pdivr_mulr ?ltr0n // !mulr_natr !mulr2n.
   by rewrite !ler_add // ?(le_trans st) // (le_trans lo).
-have := piece_found hv mid; rewrite [piece_at _ _ _ _]ek => -[k20 spv ltv].
+have := piece_found hv mid; rewrite [piece_at _ _ _ _]ek => -[k20 spv ltv last_v].
 have [elo ehi] : (p + k2 - 2 = p + k2.-1 - 1)%N /\ (p + k2 - 1 = p + k2.-1)%N by move: k20; clear; lia.
 pose A := at_list v (p + k2 - 2); pose B := at_list v (p + k2 - 1); pose pts := restricted_points K V p v e k2 A B.
 pose f := [seq (y - A) / (B - A) | y <- restricted_points K (itself K) d w b (piece_at K d w s) s t].
@@ -208,7 +211,7 @@ have ind : independent [fieldType of F] (p * d) by apply: good_independent; appl
 have ind2 : independent [fieldType of F] ((size pts).-1 * (size f).-1) by rewrite sp_ sf.
 have [h _] := @BZZ19_13_program [fieldType of F] 3 (fun x y : F => x < y) pts f ind2.
 have [sq eq] := h q E; rewrite sp_ sf /= in sq eq.
-exists k2.-1; first by rewrite -elo -ehi; split.
+rewrite -elo in last_v; exists k2.-1; first by rewrite -elo -ehi; split.
 rewrite size_elevation sq addSn subnKC //; split=> //; rewrite elevationE ?sq // ?addSn ?subnKC //.
 rewrite -[RHS](_ : map_mx (fun h => (h \Po sigma) \Po line s t) (pcurve p (drop_ k2.-1 (at_list v)) (drop_ k2.-1 (at_list e))) = _); last first.
   by apply/rowP=> i; rewrite !mxE.
@@ -235,24 +238,44 @@ move=> eq_u; apply/rowP=> i; rewrite !mxE /curve; apply: blossom_ext_knots => j;
 by rewrite /polys eq_u.
 Qed.
 
-Definition meet D (nets : seq (seq 'rV[F]_3)) := forall j, (j.+1 < size nets)%N -> at_list (nth [::] nets j) D = at_list (nth [::] nets j.+1) 0.
+Lemma mem_sorted t x : sorted_into K t x =i t :: x.
+Proof.
+elim: x => // s x ih y /=; case: ifP => // lt_s; case: ifP => [_|gt_s]; first by rewrite !inE ih inE orbCA.
+have -> : t = s by apply/eqP; rewrite eq_le !leNgt lt_s gt_s.
+by rewrite !inE orbA orbb.
+Qed.
+
+Lemma none_between d w u (x := breaks K d w u) j y : valid d w -> (j.+1 < size x)%N -> y \in w ++ u -> ~~ (at_list x j < y < at_list x j.+1).
+Proof.
+move=> hw lt_j y_wu; have [up x0 xN x1] := BZZ19_16_breaks u hw; rewrite -/x in up x0 xN x1; apply/negP=> /andP[j_y y_j].
+have le_x i l : (i <= l)%N -> (l < size x)%N -> at_list x i <= at_list x l.
+  by move=> le_i lt_l; apply: sorted_leq_nth; rewrite ?inE //; [exact: le_trans | by apply: sub_sorted up => a b'; exact: ltW | exact: leq_ltn_trans lt_l].
+have in_y : at_list w d.-1 < y < at_list w (size w - d).
+  by rewrite -x0 -xN (le_lt_trans _ j_y) ?(lt_le_trans y_j) // le_x // ?prednK //; move: lt_j; clear; lia.
+have y_x : y \in x.
+  rewrite /x /breaks inE mem_rcons inE; apply/orP; right; apply/orP; right.
+  elim: (w ++ u) y_wu => // z r ih; rewrite inE => /orP[/eqP <-|/ih y_r] /=; first by rewrite in_y /= mem_sorted mem_head.
+  by case: ifP => // _; rewrite /= mem_sorted inE y_r orbT.
+have [l lt_l e_l] := nthP 0 y_x; have [le_l|gt_l] := leqP l j.
+  by move: j_y; rewrite -e_l ltNge le_x // ltnW.
+by move: y_j; rewrite -e_l ltNge le_x.
+Qed.
 
 (** BZZ19.16 program: the program gives knots and two rows whose B-spline surface is (10), $(1-s)C_1(t)+sC_2(\sigma(t))$, on every piece between two breakpoints
     $x_j<x_{j+1}$: with the pieces of $C_1$ and $\sigma$ that hold $x_j$ and a piece $[v_-,v_+]$ of $C_2$ with $v_-\le\sigma(x_j)\le\sigma(x_{j+1})\le v_+$, wherever it gives
     a value.
-    Hypotheses: an ordered field; neighbouring nets have a point in common, as those of continuous curves do. *)
+    Hypotheses: an ordered field. *)
 Theorem BZZ19_16_program n u c p v e d w b z (R S : seq 'rV[F]_3) (D := if Nat.leb n (p * d) then (p * d)%N else n) (x := breaks K d w u) (N := (size x).-1) j
     (k1 := (piece_at K n u (at_list x j)).-1) (k := (piece_at K d w (at_list x j)).-1) (sigma := curve d (drop_ k (at_list w)) (drop_ k (at_list b))) :
   surface_program K V n u c p v e d w b false = Value (z, R, S) ->
-  meet D (mkseq (fun j => first_net K V D n u c (at_list x j) (at_list x j.+1)) N) ->
-  (forall nets, collect (mkseq (fun j => second_net K V D p v e d w b (at_list x j) (at_list x j.+1)) N) = Value nets -> meet D nets) -> (j < N)%N ->
+  (j < N)%N ->
   at_list x j < at_list x j.+1 /\ exists2 k2,
     [/\ at_list v (p + k2 - 1) <= sigma.[at_list x j], sigma.[at_list x j] <= sigma.[at_list x j.+1] & sigma.[at_list x j.+1] <= at_list v (p + k2)] &
     forall s t, ruled_surface (pcurve D (drop_ (j * D) (at_list z)) (drop_ (j * D) (at_list R)))
         (pcurve D (drop_ (j * D) (at_list z)) (drop_ (j * D) (at_list S))) 'X s t
       = ruled_surface (pcurve n (drop_ k1 (at_list u)) (drop_ k1 (at_list c))) (pcurve p (drop_ k2 (at_list v)) (drop_ k2 (at_list e))) sigma s t.
 Proof.
-case/knot_listP=> hu /fitsP[sc] /knot_listP[hv] /fitsP[se] /knot_listP[hw] /fitsP[sb] E meet1 meet2 lt_j.
+case/knot_listP=> hu /fitsP[sc] /knot_listP[hv] /fitsP[se] /knot_listP[hw] /fitsP[sb] E lt_j.
 have [/andP[lo hi] {}E] := given_Value E; rewrite /= -leNgt in lo; rewrite /= -leNgt in hi; cbv zeta in E; rewrite -/D -/x -/N in E.
 move: E; case Ec : (collect (mkseq (fun j => second_net K V D p v e d w b (at_list x j) (at_list x j.+1)) N)) => [nets|] // E.
 have [<- <- <-] := Value_inj E.
@@ -260,10 +283,11 @@ have [up x0 xN x1] := BZZ19_16_breaks u hw; rewrite -/x -/N in up x0 xN x1.
 have le_x i l : (i <= l)%N -> (l <= N)%N -> at_list x i <= at_list x l.
   rewrite leq_eqVlt => /orP[/eqP -> //|lt_i] le_l; apply: ltW; have sx : size x = N.+1 by rewrite /N prednK // ltnW.
   by apply: (sorted_ltn_nth lt_trans 0 up) => //; rewrite inE sx ltnS // ltnW // (leq_trans lt_i).
-have lt_x : at_list x j < at_list x j.+1.
-  have sx : size x = N.+1 by rewrite /N prednK // ltnW.
+have lt_x i : (i < N)%N -> at_list x i < at_list x i.+1.
+  move=> lt_i; have sx : size x = N.+1 by rewrite /N prednK // ltnW.
   by apply: (sorted_ltn_nth lt_trans 0 up) => //; rewrite inE sx ltnS // ltnW.
-split=> //; have [D0 le_n le_pd] : [/\ (0 < D)%N, (n <= D)%N & (p * d <= D)%N].
+split; first exact: lt_x.
+have [D0 le_n le_pd] : [/\ (0 < D)%N, (n <= D)%N & (p * d <= D)%N].
   by have [n0 _ _] := bounds_of hu; move: n0; rewrite /D nat_lebE; move: (p * d)%N => q; case: ifP => h n0; split; lia.
 have g h : good [fieldType of F] h by rewrite /good pnatr_eq0 -lt0n fact_gt0.
 have in_w i : (i < N)%N -> at_list w d.-1 <= at_list x i <= at_list w (size w - d).
@@ -272,26 +296,39 @@ have in_u i : (i < N)%N -> at_list u n.-1 <= at_list x i <= at_list u (size u - 
   by move=> /in_w/andP[h1 h2]; rewrite (le_trans lo) // (le_trans h2).
 have [sn netE] := collectP [::] Ec.
 have second i (lt_i : (i < N)%N) := second_netE (g D.+1) le_pd hv hw (in_w i lt_i) (netE i lt_i).
-have [k2 [spv l1 l2 l3] [_ eS]] := second j lt_j; exists k2 => // s t.
-set firsts := mkseq _ N in meet1 *; have sfirst : size firsts = N by rewrite size_mkseq.
+have [k2 [spv _ l1 l2 l3] [_ eS]] := second j lt_j; exists k2 => // s t.
+set firsts := mkseq _ N; have sfirst : size firsts = N by rewrite size_mkseq.
 have eP i : (i < N)%N -> size (nth [::] firsts i) = D.+1 /\ pbez D (at_list (nth [::] firsts i))
     = map_mx (fun f => f \Po line (at_list x i) (at_list x i.+1)) (pcurve n (drop_ (piece_at K n u (at_list x i)).-1 (at_list u))
         (drop_ (piece_at K n u (at_list x i)).-1 (at_list c))).
-  move=> lt_i; have [p0 sp _] := piece_found hu (in_u i lt_i); rewrite nth_mkseq // /first_net size_elevation size_mkseq addSn subnKC //; split=> //.
+  move=> lt_i; have [p0 sp _ _] := piece_found hu (in_u i lt_i); rewrite nth_mkseq // /first_net size_elevation size_mkseq addSn subnKC //; split=> //.
   by rewrite elevationE ?size_mkseq ?addSn ?subnKC //; exact: restrictedE.
 have eQ i : (i < N)%N -> size (nth [::] nets i) = D.+1 by move=> lt_i; have [h _ []] := second i lt_i.
 have size_D (r : seq (seq 'rV[F]_3)) : size r = N -> (forall i, (i < N)%N -> size (nth [::] r i) = D.+1) -> all (fun q => size q == D.+1) r.
   by move=> sr h; apply/(all_nthP [::]) => i; rewrite sr => /h ->.
 have [D' eD] : exists D', D = D'.+1 by exists D.-1; rewrite prednK.
 have hR := @glued_holds [fieldType of F] 3 D' firsts; have hS := @glued_holds [fieldType of F] 3 D' nets; rewrite -eD sfirst in hR; rewrite -eD sn in hS.
-have m1 := meet1; rewrite /meet sfirst in m1; have m2 := meet2 _ Ec; rewrite /meet sn in m2.
+have none i y : (i.+1 < N)%N -> y \in w ++ u -> ~~ (at_list x i < y < at_list x i.+1).
+  by move=> lt_i; apply: none_between => //; rewrite -/x; move: lt_i; rewrite /N; clear; lia.
+have m1 i : (i.+1 < N)%N -> at_list (nth [::] firsts i) D = at_list (nth [::] firsts i.+1) 0.
+  move=> lt_i; have [_ /BZZ19_16_ends[_ ->]] := eP i (ltnW lt_i); have [_ /BZZ19_16_ends[-> _]] := eP i.+1 lt_i.
+  apply/rowP=> l; rewrite !mxE; have/andP[h1 _] := in_u i (ltnW lt_i); have/andP[_ h2] := in_u i.+1 lt_i.
+  by apply: (next_value (coord (at_list c) l)) => //; [exact: lt_x (ltnW lt_i) | move=> y yu; apply: none; rewrite // mem_cat yu orbT].
+have m2 i : (i.+1 < N)%N -> at_list (nth [::] nets i) D = at_list (nth [::] nets i.+1) 0.
+  move=> lt_i; have [i1 [sp1 b1 lo1 up1 hi1] [_ /BZZ19_16_ends[_ ->]]] := second i (ltnW lt_i).
+  have [i2 [sp2 b2 lo2 up2 hi2] [_ /BZZ19_16_ends[-> _]]] := second i.+1 lt_i.
+  apply/rowP=> l; rewrite !mxE !horner_comp; have/andP[h1 _] := in_w i (ltnW lt_i); have/andP[_ h2] := in_w i.+1 lt_i.
+  have eq_s := next_value (at_list b) hw h1 (lt_x i (ltnW lt_i)) h2.
+  have {}eq_s := eq_s (fun y yw => none i y lt_i (in_left u yw)).
+  have := le_trans lo1 up1; rewrite eq_s in hi1 * => lo1'.
+  by apply: (same_piece (coord (at_list e) l) hv b1 b2 sp1 sp2); [rewrite lo1' hi1 | rewrite lo2 (le_trans up2)].
 have {}hR := hR (size_D _ sfirst (fun i lt_i => (eP i lt_i).1)) m1; have {}hS := hS (size_D _ sn eQ) m2.
 have zE (r : seq 'rV[F]_3) : pcurve D (drop_ (j * D) (at_list (flatten (mkseq (fun j => nseq D (at_list x j)) N.+1)))) (drop_ (j * D) (at_list r))
     = pcurve D (drop_ (j * D) (joined D (at_list x))) (drop_ (j * D) (at_list r)).
   apply: pcurve_knots => i lt_i; rewrite /drop_ nth_copies // mulSn; move: lt_i lt_j; rewrite -addnn => lt_i lt_j.
   apply: (@leq_trans (j * D + (D + D))); first by rewrite ltn_add2l.
   by rewrite addnCA leq_add2l -mulSnr leq_mul2r lt_j orbT.
-have nz : at_list x j.+1 - at_list x j != 0 by rewrite subr_eq0 gt_eqF.
+have nz : at_list x j.+1 - at_list x j != 0 by rewrite subr_eq0 gt_eqF ?lt_x.
 rewrite !zE /ruled_surface (_ : after _ 'X = pcurve D (drop_ (j * D) (joined D (at_list x))) (drop_ (j * D) (at_list (glued nets)))); last first.
   by apply/rowP=> i; rewrite mxE comp_polyXr.
 move: hR hS eS (eP j lt_j).2; rewrite eD => hR hS eS eP'.
