@@ -173,8 +173,7 @@ pose b k := blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)).
 pose G k a := if size a == n.+1 then mean n (b k) a else 0.
 have G_n k a : size a = n.+1 -> G k a = mean n (b k) a by rewrite /G => ->; rewrite eqxx.
 have un : n.+1%:R \is a @GRing.unit F by rewrite unitfE pnatr_eq0.
-apply/esym; apply: (@spline_stays F n u (coord (at_list c) l) n.+1 1 v (coord (at_list r) l) G t) => //.
-- by left; rewrite a_v.
+apply/esym; apply: (@spline_stays F n n.+1 1 u v (coord (at_list c) l) (coord (at_list r) l) G) => //.
 - by move=> k sp; apply: mean_polar.
 - move=> i le_i; rewrite G_n ?size_knots // /coord rE // mxE summxE; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h].
   rewrite mxE /b /without (_ : (nth _ _ h).2 = 1) ?mul1r //.
@@ -183,6 +182,7 @@ apply/esym; apply: (@spline_stays F n u (coord (at_list c) l) n.+1 1 v (coord (a
   have lt_k : (h < size (knots (at_list v) i n.+1))%N by rewrite size_knots.
   apply: (@window_blossom _ n n.+1 1 u v J j) => // [|y]; first by rewrite size_without ?size_knots.
   rewrite (seq.permP (perm_without (direction F) lt_k)) /= addnC leq_add2l; exact: leq_b1.
+- by left; rewrite a_v.
 by move=> k; rewrite G_n ?size_nseq // mean_nseq.
 Qed.
 End Curves.

@@ -169,17 +169,32 @@ by rewrite add0n e_t mul1r subrr !mul0r.
 Qed.
 
 (* G k is the polar form of degree p of the curve on the piece from k on. *)
-Lemma spline_stays n u c p e v r (G : nat -> seq (F * F) -> F) t (J := interval K p v t) (jt := interval K n u t) :
-  valid n u -> valid p v -> holds_knots e n u p v -> at_list u n.-1 <= at_list v p.-1 \/ at_list u n.-1 \in v ->
+Section Form.
+Variables (n p e : nat) (u v : seq F) (c r : nat -> F) (G : nat -> seq (F * F) -> F).
+Hypotheses (hu : valid n u) (hv : valid p v) (H : holds_knots e n u p v).
+Hypothesis pol : forall k, span n (drop_ k (at_list u)) -> polar p (G k).
+Hypothesis rE : forall i, (i <= size v - p)%N -> r i = G (piece_of K n u v p i).-1 (knots (at_list v) i p).
+Hypothesis same : forall i j J, (p.-1 <= J < size v - p)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + p)%N ->
+  G (piece_of K n u v p i).-1 (knots (at_list v) i p) = G (j.+1 - n)%N (knots (at_list v) i p).
+
+Lemma piece_stays J j w : (p.-1 <= J < size v - p)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> size w = p ->
+  blossom (piece p J (at_list v)) (piece p J r) w = G (j.+1 - n)%N w.
+Proof.
+move=> bJ up_J h_j sz; have [p0 _ _] := bounds_of hv; have [bj _ up_j _] := h_j.
+have sp_j : span n (piece n j (at_list u)) by apply: blossoms_carried; rewrite ?lt_eqF.
+have sp_J : span p (piece p J (at_list v)) by apply: blossoms_carried; rewrite ?lt_eqF.
+rewrite (blossoms_unique (pol sp_j) sp_J sz); apply: blossom_ext => i; rewrite sz => le_i.
+rewrite /drop_ rE; last by move: le_i bJ p0; clear; lia.
+rewrite (same bJ up_J h_j); last by move: le_i bJ p0; clear; lia.
+by congr (G _ _); apply: knots_ext => q _; rewrite /drop_ addnA.
+Qed.
+
+Lemma spline_stays t (J := interval K p v t) (jt := interval K n u t) : at_list u n.-1 <= at_list v p.-1 \/ at_list u n.-1 \in v ->
   at_list v p.-1 <= t <= at_list v (size v - p) -> at_list u n.-1 <= t <= at_list u (size u - n) ->
-  (forall k, span n (drop_ k (at_list u)) -> polar p (G k)) ->
-  (forall i, (i <= size v - p)%N -> r i = G (piece_of K n u v p i).-1 (knots (at_list v) i p)) ->
-  (forall i j J', (p.-1 <= J' < size v - p)%N -> at_list v J' < at_list v J'.+1 -> lies n u (at_list v J') j -> (i <= J'.+1 <= i + p)%N ->
-    G (piece_of K n u v p i).-1 (knots (at_list v) i p) = G (j.+1 - n)%N (knots (at_list v) i p)) ->
   (forall k, G k (nseq p (at_ t)) = blossom (drop_ k (at_list u)) (drop_ k c) (nseq n (at_ t))) ->
   blossom (piece p J (at_list v)) (piece p J r) (nseq p (at_ t)) = blossom (piece n jt (at_list u)) (piece n jt c) (nseq n (at_ t)).
 Proof.
-move=> hu hv H begin_ in_v in_u pol rE same val.
+move=> begin_ in_v in_u val.
 have [n0 le_n _] := bounds_of hu; have [p0 le_p _] := bounds_of hv.
 have [bJ J_t up_J t_J] := lies_in hv in_v; rewrite -/J in bJ J_t up_J t_J.
 have t_J1 : t <= at_list v J.+1 by case: t_J => [/ltW //|[-> _]]; have/andP[] := in_v.
@@ -191,7 +206,7 @@ have [u_J|J_u] := leP (at_list u n.-1) (at_list v J); last first.
     case: begin_ => [le_v|a_v]; last by apply: (next_knot hv) => //; move: bJ p0 le_p; clear; lia.
     by move: J_u; rewrite ltNge (le_trans le_v) // (knots_up hv) //; move: bJ p0 le_p; clear; lia.
   have [_ _ up_t _] := h_t; have sp_t : span n (piece n jt (at_list u)) by have [b _ _ _] := h_t; apply: blossoms_carried; rewrite ?lt_eqF.
-  rewrite -val (blossoms_unique (pol _ sp_t) sp_J) ?size_nseq //; apply: first_vertex => // [|i /andP[i0 le_i]].
+  rewrite -val (blossoms_unique (pol sp_t) sp_J) ?size_nseq //; apply: first_vertex => // [|i /andP[i0 le_i]].
     by rewrite /drop_ -e_t; congr at_list; move: bJ p0; clear; lia.
   rewrite /drop_ rE; last by move: le_i bJ p0; clear; lia.
   have [|l [h [in_l before h_l ->]]] := @piece_ofE n u v p (J.+1 - p + i) hu.
@@ -207,13 +222,10 @@ have [u_J|J_u] := leP (at_list u n.-1) (at_list v J); last first.
 have {}J_u : at_list v J <= at_list u (size u - n) by apply: le_trans J_t _; have/andP[] := in_u.
 pose j := interval K n u (at_list v J).
 have h_j : lies n u (at_list v J) j by apply: lies_in; rewrite // u_J.
-have [bj _ up_j _] := h_j; have sp_j : span n (piece n j (at_list u)) by apply: blossoms_carried; rewrite ?lt_eqF.
 rewrite -(same_point hu hv H bJ h_j c (t := t)) ?J_t //; last by have/andP[] := in_u.
-rewrite -val (blossoms_unique (pol _ sp_j) sp_J) ?size_nseq //; apply: blossom_ext => i; rewrite size_nseq => le_i.
-rewrite /drop_ rE; last by move: le_i bJ p0; clear; lia.
-rewrite (same _ j J bJ up_J h_j); last by move: le_i bJ p0; clear; lia.
-by congr (G _ _); apply: knots_ext => q _; rewrite /drop_ addnA.
+by rewrite -val (piece_stays bJ up_J h_j) ?size_nseq.
 Qed.
+End Form.
 End Windows.
 
 Section Curves.
@@ -228,6 +240,44 @@ Local Notation piece n i u := (drop_ (i.+1 - n) u).
 Lemma span_at n u t : valid n u -> at_list u n.-1 <= t <= at_list u (size u - n) -> span n (piece n (interval K n u t) (at_list u)).
 Proof. by move=> hu in_u; have [_ sp] := piece_atE hu in_u. Qed.
 
+Section Refined.
+Variables (n : nat) (u v : seq F) (l : 'I_m).
+Hypotheses (hu : valid n u) (hv : valid n v).
+Hypothesis often : forall x y, x \in v -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) -> y <= at_list v (size v - n) -> (count_mem y u <= count_mem y v)%N.
+Let G c k a := if size a == n then blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a else 0.
+
+Lemma form_of c k a : size a = n -> G c k a = blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a.
+Proof. by rewrite /G => ->; rewrite eqxx. Qed.
+
+Lemma often_holds : holds_knots 0 n u n v.
+Proof. by move=> x y xv _ x_y y_L y_M; rewrite addn0; apply: often x_y y_L y_M. Qed.
+
+Lemma refined_form c r : refined_program K V n u c v = Value r -> [/\ forall k, span n (drop_ k (at_list u)) -> polar n (G c k),
+  forall i, (i <= size v - n)%N -> coord (at_list r) l i = G c (piece_of K n u v n i).-1 (knots (at_list v) i n) &
+  forall i j J, (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + n)%N ->
+    G c (piece_of K n u v n i).-1 (knots (at_list v) i n) = G c (j.+1 - n)%N (knots (at_list v) i n)].
+Proof.
+move=> e; have [_ _ rE _] := blossoms_refined e; split=> [k sp|i le_i|i j J bJ up_J h_j in_i]; first exact: blossom_polar.
+  by rewrite form_of ?size_knots // /coord rE // mxE.
+rewrite !form_of ?size_knots //; apply: (window_blossom (e := 0) hu hv often_holds bJ up_J h_j) => // [|y]; first exact: size_knots.
+by rewrite addn0.
+Qed.
+End Refined.
+
+(** blossoms refined_blossom: on every piece of the new knots from the start of the old domain on, $v_J\le t\le v_{J+1}$, the blossom of the new vertices is that of
+    the piece of the curve that holds $v_J$, the last one behind the domain.
+    Hypotheses: an ordered field; $u_{n-1}\le v_J$; the piece is not empty; each knot inside the old domain that is not behind the new domain and follows a new
+    knot of the old domain is a new knot, at least as often. *)
+Theorem blossoms_refined_blossom n u c v r J w (j := interval K n u (at_list v J)) : refined_program K V n u c v = Value r ->
+  (forall x y, x \in v -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) -> y <= at_list v (size v - n) -> (count_mem y u <= count_mem y v)%N) ->
+  (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> at_list u n.-1 <= at_list v J -> size w = n ->
+  pblossom (piece n J (at_list v)) (piece n J (at_list r)) w = pblossom (piece n j (at_list u)) (piece n j (at_list c)) w.
+Proof.
+move=> e often bJ up_J u_J sz; have [hv _ _ _] := blossoms_refined e; have hu : valid n u by case/knot_listP: e.
+apply/rowP=> l; rewrite !mxE; have [pol rE same] := refined_form l hu hv often e.
+by rewrite (piece_stays hu hv pol rE same bJ up_J (lies_under hu u_J) sz) sz eqxx.
+Qed.
+
 (** blossoms refined_curve: the point at $t$ of the curve over the new knots is that of the curve, for every $t$ that both domains hold.
     Hypotheses: an ordered field; the new domain does not begin before the old one, or the start of the old one is a new knot; each knot inside the old domain that
     is not behind the new domain and follows a new knot of the old domain is a new knot, at least as often. *)
@@ -238,17 +288,9 @@ Theorem blossoms_refined_curve n u c v r t q : refined_program K V n u c v = Val
   mapping_value_program K V n u c t = Value q -> mapping_value_program K V n v r t = Value q.
 Proof.
 move=> e begin_ often in_v /BZZ19_3_value[hu sc in_u ->].
-have [hv sr rE _] := blossoms_refined e; apply/BZZ19_3_value; split=> //.
-apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..].
-pose G k a := if size a == n then blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a else 0.
-have G_n k a : size a = n -> G k a = blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a by rewrite /G => ->; rewrite eqxx.
-have H : holds_knots 0 n u n v by move=> x y xv _ x_y y_L y_M; rewrite addn0; apply: often x_y y_L y_M.
-apply/esym; apply: (@spline_stays F n u (coord (at_list c) l) n 0 v (coord (at_list r) l) G t) => //.
-- by move=> k sp; apply: blossom_polar.
-- by move=> i le_i; rewrite G_n ?size_knots // /coord rE // mxE.
-- move=> i j J bJ up_J h_j in_i; rewrite !G_n ?size_knots //.
-  by apply: (@window_blossom _ n n 0 u v J j) => //; [rewrite size_knots | move=> y; rewrite addn0].
-by move=> k; rewrite G_n ?size_nseq.
+have [hv sr _ _] := blossoms_refined e; apply/BZZ19_3_value; split=> //.
+apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..]; have [pol rE same] := refined_form l hu hv often e.
+apply/esym; apply: (spline_stays (c := coord (at_list c) l) hu hv (often_holds often) pol rE same begin_ in_v in_u) => k; rewrite size_nseq eqxx //.
 Qed.
 
 (** blossoms inserted_curve: the point at $t$ of the curve with a knot inserted is that of the curve, for every $t$ of the domain.
