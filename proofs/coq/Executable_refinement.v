@@ -293,51 +293,96 @@ apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..]; have [pol rE sa
 apply/esym; apply: (spline_stays (c := coord (at_list c) l) hu hv (often_holds often) pol rE same begin_ in_v in_u) => k; rewrite size_nseq eqxx //.
 Qed.
 
+(* What the program of knot insertion gives, and the piece k of the curve under the piece J of the new list. *)
+Lemma insertion_facts n u c x v r J (j := interval K n u x) (k := if (J <= j)%N then J else J.-1) : insertion_program K V n u c x = Value (v, r) ->
+  [/\ valid n u, valid n v, size r = (size v - n).+1, at_list v n.-1 = at_list u n.-1 & at_list v (size v - n) = at_list u (size u - n)] /\
+  ((n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 ->
+    [/\ (n.-1 <= k < size u - n)%N, at_list u k <= at_list v J, at_list v J.+1 <= at_list u k.+1 &
+      forall l w, size w = n -> blossom (piece n J (at_list v)) (piece n J (coord (at_list r) l)) w
+        = blossom (piece n k (at_list u)) (piece n k (coord (at_list c) l)) w]).
+Proof.
+case/knot_listP=> hu /fitsP[sc]; rewrite -/(inside K n u x) insideE /given; case: ifP => // in_x.
+case/knot_listP=> hv e; have [ev er] := Value_inj e; move: hv; rewrite ev => hv {e}.
+have [bj /andP[j_x x_j] up_j _] := blossoms_interval hu in_x; move: bj j_x x_j up_j ev er; rewrite /k -/j; clearbody j => bj j_x x_j up_j ev er.
+have [n0 le_n _] := bounds_of hu; have lt_j : (j < size u)%N by move: bj n0 le_n; clear; lia.
+have vE i : at_list v i = insert_knot j.+1 x (at_list u) i by rewrite -ev nth_inserted.
+have sv : size v = (size u).+1 by rewrite -ev /inserted size_cat /= size_takel // size_drop; move: lt_j; clear; lia.
+have lt_L : (size v - n = (size u - n).+1)%N by rewrite sv; move: le_n; clear; lia.
+split; first split=> //; first by rewrite -er size_mkseq /last_ lt_L.
+- by rewrite vE /insert_knot ifT //; move: bj; clear; lia.
+- by rewrite vE lt_L /insert_knot ifF ?ifF //; move: bj; clear; lia.
+have rE i l : (i <= size v - n)%N -> coord (at_list r) l i = insert_point n j.+1 x (at_list u) (coord (at_list c) l) i.
+  move=> le_i; rewrite -er /coord nth_mkseq; last by rewrite /last_ ltnS (leq_trans le_i) // sv; move: le_n; clear; lia.
+  rewrite /vertex_of /insert_point !nat_ltbE addn2 ltnS; case: ifP => // _; case: ifP => // _.
+  by rewrite !mxE /step /coord mulrC.
+move=> bJ up_J; rewrite -/k; have [u_k k_u] : at_list u k <= at_list v J /\ at_list v J.+1 <= at_list u k.+1.
+  rewrite !vE /k /insert_knot !ltnS eqSS; have [Jj|Jj] := leqP J j.
+    by split=> //; move: Jj; rewrite leq_eqVlt => /orP[/eqP e|-> //]; rewrite e ltnn eqxx.
+  rewrite (ltn_predK Jj) ltnNge (ltnW Jj) (gtn_eqF Jj) lexx /=; split=> //; case: eqP => // ->; exact: j_x.
+have bk : (n.-1 <= k < size u - n)%N by rewrite /k; have [Jj|Jj] := leqP J j; move: bj bJ Jj; rewrite lt_L; clear; lia.
+split=> // l w sz; have up_k : at_list u k < at_list u k.+1 := le_lt_trans u_k (lt_le_trans up_J k_u).
+have sp_k : span n (piece n k (at_list u)) by apply: blossoms_carried; rewrite ?lt_eqF.
+have sp_J : span n (piece n J (at_list v)) by apply: blossoms_carried; rewrite ?lt_eqF.
+have e_k : (k.+1 - n = if (J.+1 - n + n <= j.+1)%N then J.+1 - n else (J.+1 - n).-1)%N.
+  by rewrite /k; move: bJ n0; clear; have [Jj|Jj] := leqP J j; case: ifP; lia.
+rewrite [LHS](@blossom_ext_knots _ _ (drop_ (J.+1 - n) (insert_knot j.+1 x (at_list u)))) => [|i _]; last exact: vE.
+have sp_J' : span n (drop_ (J.+1 - n) (insert_knot j.+1 x (at_list u))).
+  by move=> i i' h1 h2; have := sp_J i i' h1 h2; rewrite /drop_ !vE.
+rewrite e_k in sp_k *; rewrite -(blossoms_boehm (coord (at_list c) l) _ sp_k sp_J') //; last first.
+  by apply/orP; left; move: bj; clear; lia.
+by apply: blossom_ext => i; rewrite sz => le_i; rewrite /drop_ rE //; move: le_i bJ n0; clear; lia.
+Qed.
+
+(** blossoms inserted_blossom: on every piece $[v_J,v_{J+1}]$ of the knots with $x$ inserted after $u_j$ the blossom of the new vertices is that of the piece of the
+    curve that begins at $u_J$ if $J\le j$, at $u_{J-1}$ otherwise.
+    Hypotheses: an ordered field; the piece is not empty. *)
+Theorem blossoms_inserted_blossom n u c x v r J w (j := interval K n u x) (k := if (J <= j)%N then J else J.-1) :
+  insertion_program K V n u c x = Value (v, r) -> (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> size w = n ->
+  pblossom (piece n J (at_list v)) (piece n J (at_list r)) w = pblossom (piece n k (at_list u)) (piece n k (at_list c)) w.
+Proof.
+move=> e bJ up_J sz; have [_ facts] := insertion_facts J e; have [_ _ _ same] := facts bJ up_J.
+by apply/rowP=> l; rewrite !mxE; apply: same.
+Qed.
+
 (** blossoms inserted_curve: the point at $t$ of the curve with a knot inserted is that of the curve, for every $t$ of the domain.
     Hypotheses: an ordered field. *)
 Theorem blossoms_inserted_curve n u c x v r t q : insertion_program K V n u c x = Value (v, r) ->
   mapping_value_program K V n u c t = Value q -> mapping_value_program K V n v r t = Value q.
 Proof.
-case/knot_listP=> hu /fitsP[sc]; rewrite -/(inside K n u x) insideE /given; case: ifP => // in_x.
-case/knot_listP=> hv e /BZZ19_3_value[_ _ in_t ->]; have [ev er] := Value_inj e; move: hv; rewrite ev => hv {e}.
-have [bj /andP[j_x x_j] up_j _] := blossoms_interval hu in_x; move: bj j_x x_j up_j ev er; set j := interval K n u x => bj j_x x_j up_j ev er.
-have [n0 le_n _] := bounds_of hu; have lt_j : (j < size u)%N by move: bj n0 le_n; clear; lia.
-have vE i : at_list v i = insert_knot j.+1 x (at_list u) i by rewrite -ev nth_inserted.
-have sv : size v = (size u).+1 by rewrite -ev /inserted size_cat /= size_takel // size_drop; move: lt_j; clear; lia.
-have rE i l : (i <= size v - n)%N -> coord (at_list r) l i = insert_point n j.+1 x (at_list u) (coord (at_list c) l) i.
-  move=> le_i; rewrite -er /coord nth_mkseq; last by rewrite /last_ ltnS (leq_trans le_i) // sv; move: le_n; clear; lia.
-  rewrite /vertex_of /insert_point !nat_ltbE addn2 ltnS; case: ifP => // _; case: ifP => // _.
-  by rewrite !mxE /step /coord mulrC.
-have lt_L : (size v - n = (size u - n).+1)%N by rewrite sv; move: le_n; clear; lia.
-have v_a : at_list v n.-1 = at_list u n.-1 by rewrite vE /insert_knot ifT //; move: bj; clear; lia.
-have v_b : at_list v (size v - n) = at_list u (size u - n).
-  by rewrite vE lt_L /insert_knot ifF ?ifF //; move: bj; clear; lia.
+move=> e /BZZ19_3_value[_ _ in_t ->]; have [[hu hv sr v_a v_b] facts] := insertion_facts (interval K n v t) e.
 have in_v : at_list v n.-1 <= t <= at_list v (size v - n) by rewrite v_a v_b.
-apply/BZZ19_3_value; split=> //; first by rewrite -er size_mkseq /last_ lt_L.
-apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..].
-move: (lies_in hv in_v) (lies_in hu in_t); set J := interval K n v t; set I := interval K n u t => h_J h_I.
-have [bJ J_t up_J t_J] := h_J; pose k := if (J <= j)%N then J else J.-1.
+apply/BZZ19_3_value; split=> //; apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..].
+have [bJ J_t up_J t_J] := lies_in hv in_v; have [bk u_k k_u same] := facts bJ up_J.
+rewrite [RHS]same ?size_nseq //; move: bk u_k k_u {facts same}; set k := if _ then _ else _ => bk u_k k_u.
 have h_k : lies n u t k.
-  have [u_k k_u] : at_list u k <= at_list v J /\ at_list v J.+1 <= at_list u k.+1.
-    rewrite !vE /k /insert_knot !ltnS eqSS; have [Jj|Jj] := leqP J j.
-      by split=> //; move: Jj; rewrite leq_eqVlt => /orP[/eqP e|-> //]; rewrite e ltnn eqxx.
-    rewrite (ltn_predK Jj) ltnNge (ltnW Jj) (gtn_eqF Jj) lexx /=; split=> //; case: eqP => // ->; exact: j_x.
-  have bk : (n.-1 <= k < size u - n)%N by rewrite /k; have [Jj|Jj] := leqP J j; move: bj bJ Jj; rewrite lt_L; clear; lia.
   split=> //; [exact: le_trans u_k J_t | exact: le_lt_trans u_k (lt_le_trans up_J k_u) |].
-  case: t_J => [lt_t|[e le_t]]; first by left; apply: lt_le_trans k_u.
+  case: t_J => [lt_t|[e_J le_t]]; first by left; apply: lt_le_trans k_u.
   right; split; last by rewrite -v_b.
-  by apply/eqP; rewrite eq_le -{2}v_b -e k_u andbT (knots_up hu) //; move: bk n0 le_n; clear; lia.
-have <- : k = I by apply/eqP; rewrite eqn_leq (lies_up hu h_k h_I) // (lies_up hu h_I h_k).
-have [bk _ up_k _] := h_k.
-have sp_k : span n (piece n k (at_list u)) by apply: blossoms_carried; rewrite ?lt_eqF.
-have sp_J : span n (piece n J (at_list v)) by apply: blossoms_carried; rewrite ?lt_eqF.
-have e_k : (k.+1 - n = if (J.+1 - n + n <= j.+1)%N then J.+1 - n else (J.+1 - n).-1)%N.
-  by rewrite /k; move: bJ n0; clear; have [Jj|Jj] := leqP J j; case: ifP; lia.
-rewrite [RHS](@blossom_ext_knots _ _ (drop_ (J.+1 - n) (insert_knot j.+1 x (at_list u)))) => [|i _]; last exact: vE.
-have sp_J' : span n (drop_ (J.+1 - n) (insert_knot j.+1 x (at_list u))).
-  by move=> i i' h1 h2; have := sp_J i i' h1 h2; rewrite /drop_ !vE.
-rewrite e_k in sp_k *; rewrite -(blossoms_boehm (coord (at_list c) l) _ sp_k sp_J') ?size_nseq //; last first.
-  by apply/orP; left; move: bj; clear; lia.
-by apply: blossom_ext => i; rewrite size_nseq => le_i; rewrite /coord /drop_ -rE //; move: le_i bJ n0; clear; lia.
+  have [n0 le_n _] := bounds_of hu.
+  by apply/eqP; rewrite eq_le -{2}v_b -e_J k_u andbT (knots_up hu) //; move: bk n0 le_n; clear; lia.
+have h_t := lies_in hu in_t.
+by have -> : k = interval K n u t by apply/eqP; rewrite eqn_leq (lies_up hu h_k h_t) // (lies_up hu h_t h_k).
 Qed.
+
+(** FJ21.K inserted: what the program of knot insertion makes of two curves over the same knots has the relation
+    $p[t_1,\dots,t_{n-1},\Lambda]=\sigma q[t_1,\dots,t_{n-1},M]$ on every piece of the new knots iff the curves have it on the piece that holds this one:
+    $\Lambda$, $M$ and $\sigma$ do not change. With $\sigma=1$ it is the relation of FJ07.9.
+    Hypotheses: an ordered field; the piece is not empty. *)
+Theorem FJ21_K_inserted n u p q x v r s J w L M g (j := interval K n u x) (k := if (J <= j)%N then J else J.-1) :
+  insertion_program K V n u p x = Value (v, r) -> insertion_program K V n u q x = Value (v, s) -> (n.-1 <= J < size v - n)%N ->
+  at_list v J < at_list v J.+1 -> (size w).+1 = n ->
+  pblossom (piece n J (at_list v)) (piece n J (at_list r)) (at_ L :: w) = g *: pblossom (piece n J (at_list v)) (piece n J (at_list s)) (at_ M :: w) <->
+  pblossom (piece n k (at_list u)) (piece n k (at_list p)) (at_ L :: w) = g *: pblossom (piece n k (at_list u)) (piece n k (at_list q)) (at_ M :: w).
+Proof. by move=> e1 e2 bJ up_J sz; rewrite (blossoms_inserted_blossom e1) // (blossoms_inserted_blossom e2). Qed.
+
+(** FJ21.K refined: so have the curves over any finer knots.
+    Hypotheses: an ordered field; $u_{n-1}\le v_J$; the piece is not empty; each knot inside the old domain that is not behind the new domain and follows a new
+    knot of the old domain is a new knot, at least as often. *)
+Theorem FJ21_K_refined n u p q v r s J w L M g (j := interval K n u (at_list v J)) :
+  refined_program K V n u p v = Value r -> refined_program K V n u q v = Value s ->
+  (forall x y, x \in v -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) -> y <= at_list v (size v - n) -> (count_mem y u <= count_mem y v)%N) ->
+  (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> at_list u n.-1 <= at_list v J -> (size w).+1 = n ->
+  pblossom (piece n J (at_list v)) (piece n J (at_list r)) (at_ L :: w) = g *: pblossom (piece n J (at_list v)) (piece n J (at_list s)) (at_ M :: w) <->
+  pblossom (piece n j (at_list u)) (piece n j (at_list p)) (at_ L :: w) = g *: pblossom (piece n j (at_list u)) (piece n j (at_list q)) (at_ M :: w).
+Proof. by move=> e1 e2 often bJ up_J u_J sz; rewrite (blossoms_refined_blossom e1) // (blossoms_refined_blossom e2). Qed.
 End Curves.
