@@ -1,6 +1,6 @@
 (* The program for a higher degree: its knots, and that the curve stays. *)
 From Torse Require Import Prelude Blossom Curves Points Insertion Elevation FJ21_4 Executable Executable_knots Executable_splines Executable_mappings
-  Executable_joints Executable_surface Executable_refinement.
+  Executable_joints Executable_surface Executable_windows Executable_refinement.
 From mathcomp Require Import order ssrnum.
 Import Order.TTheory Num.Theory.
 
