@@ -1,5 +1,5 @@
 (* FJ21, section 5: what happens without the hypotheses of the theorems, one counterexample each. The first are values at one parameter, as in Needs_FJ21.v. *)
-From Torse Require Import Prelude Blossom Curves Points FJ07_3_blossoms FJ21_4 FJ21_5 FJ21_5_changes Insertion Needs_blossoms Needs_FJ21.
+From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ21_4 FJ21_5 FJ21_5_changes Insertion Needs_blossoms Needs_FJ21.
 
 Section Needs.
 Variable F : fieldType.
@@ -226,5 +226,18 @@ rewrite [X in _ <> s *: X]zero; last first.
   by rewrite !simp.
 rewrite scaler0 => /rowP/(_ 0); rewrite !mxE /= /step /shift /u' /insert_knot /insert_points /insert_point /u /coord /c /listed /= !mxE /=.
 by rewrite /step /= !mxE /= !simp mulfV // !simp subrK => /eqP; rewrite oner_eq0.
+Qed.
+
+(** FJ21.K net_needs_first: there the first cell of $c$ and $d=0$ has $\Lambda^{*}=a$, and that of Boehm's points does not, whatever $M^{*}$ is.
+    Hypotheses: $a\ne0$. *)
+Theorem FJ21_K_net_needs_first a M (u := listed [:: 0; 1; a; 0]) (c := fun i => const_mx (listed [:: 1; 0; 0] i) : 'rV[F]_1) (d := fun=> 0 : 'rV[F]_1)
+    (u' := insert_knot 1 0 u) : a != 0 ->
+  [/\ forall k, (k < 1 <= k + 2)%N -> u (k + 2)%N - u k != 0, cell u 2 a M c d 0 & ~ cell u' 2 a M (insert_points 2 1 0 u c) (insert_points 2 1 0 u d) 0].
+Proof.
+move=> a0; have simp := (mul0r, mulr0, mul1r, mulr1, addr0, add0r, subrr, subr0, sub0r, oppr0, scale0r, scaler0, scale1r).
+split; first by case=> [|//] _; rewrite /u /listed /= subr0.
+- by apply/rowP=> k; rewrite /cell !mxE /u /c /d /listed /= !simp.
+rewrite /cell => /rowP/(_ 0); rewrite !mxE /u' /insert_knot /insert_point /step /u /coord /c /d /listed /= !mxE /= !simp.
+by rewrite mulfV // !mulr1 subrK => /eqP; rewrite oner_eq0.
 Qed.
 End Insertion.
