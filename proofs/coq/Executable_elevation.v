@@ -143,6 +143,7 @@ Local Notation K := (ordered F).
 Local Notation V := (rows [fieldType of F] m).
 Local Notation at_list := (nth 0).
 Local Notation valid := (valid (fun x y : F => x < y)).
+Local Notation piece n i u := (drop_ (i.+1 - n) u).
 
 (** blossoms raised_value: the program for a higher degree gives a value iff the list is one of knots and there are as many points as it asks for; then
     the domain stays.
@@ -159,30 +160,55 @@ apply/fitsP; split=> //; apply/knot_listP; split; last by reflexivity.
 by have [] := elevated_knotsE hu.
 Qed.
 
+Lemma raised_form n u c v r (l : 'I_m) (b := fun k => blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)))
+    (G := fun k a => if size a == n.+1 then mean n (b k) a else 0) : raised_program K V n u c = Value (v, r) ->
+  [/\ valid n u, valid n.+1 v, holds_knots 1 n u n.+1 v & [/\ forall k, span n (drop_ k (at_list u)) -> polar n.+1 (G k),
+    forall i, (i <= size v - n.+1)%N -> coord (at_list r) l i = G (piece_of K n u v n.+1 i).-1 (knots (at_list v) i n.+1) &
+    forall i j J, (n <= J < size v - n.+1)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + n.+1)%N ->
+      G (piece_of K n u v n.+1 i).-1 (knots (at_list v) i n.+1) = G (j.+1 - n)%N (knots (at_list v) i n.+1)]].
+Proof.
+move=> e; have [hv sr rE] := blossoms_raised e; have hu : valid n u by case/knot_listP: e.
+have ev : v = elevated_knots K n u by case/knot_listP: e => _ /fitsP[_] /knot_listP[_ e]; have [<- _] := Value_inj e.
+have [_ _ _ H] := elevated_knotsE hu; rewrite -ev in H.
+have G_n k a : size a = n.+1 -> G k a = mean n (b k) a by rewrite /G => ->; rewrite eqxx.
+split=> //; split=> [k sp|i le_i|i j J bJ up_J h_j in_i]; first exact: mean_polar.
+  rewrite G_n ?size_knots // /coord rE // mxE summxE; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h].
+  rewrite mxE /b /without (_ : (nth _ _ h).2 = 1) ?mul1r //.
+  by rewrite /knots (nth_map 0%N) // size_iota.
+rewrite !G_n ?size_knots // /mean; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h]; congr (_ * _).
+have lt_k : (h < size (knots (at_list v) i n.+1))%N by rewrite size_knots.
+apply: (@window_blossom _ n n.+1 1 u v J j) => // [|y]; first by rewrite size_without ?size_knots.
+rewrite (seq.permP (perm_without (direction F) lt_k)) /= addnC leq_add2l; exact: leq_b1.
+Qed.
+
+(** blossoms raised_blossom: on every piece $[v_J,v_{J+1}]$ of the new knots the blossom of the new vertices at $t_0,\dots,t_n$ is the mean of those of the curve's
+    piece that holds $v_J$, one argument left out.
+    Hypotheses: an ordered field; the piece is not empty. *)
+Theorem blossoms_raised_blossom n u c v r J (s : seq F) (j := interval K n u (at_list v J)) (w := [seq at_ t | t <- s]) :
+  raised_program K V n u c = Value (v, r) -> (n <= J < size v - n.+1)%N -> at_list v J < at_list v J.+1 -> size s = n.+1 ->
+  pblossom (piece n.+1 J (at_list v)) (piece n.+1 J (at_list r)) w
+    = n.+1%:R^-1 *: \sum_(0 <= h < n.+1) pblossom (piece n j (at_list u)) (piece n j (at_list c)) (without h w).
+Proof.
+move=> e bJ up_J sz; have szw : size w = n.+1 by rewrite size_map.
+apply/rowP=> l; have [hu hv H [pol rE same]] := raised_form l e; rewrite !mxE summxE.
+have [_ stay] := blossoms_raised_value n u c; have [v_a _] := stay _ _ e.
+have u_J : at_list u n.-1 <= at_list v J.
+  by rewrite -v_a (knots_up hv) //; have [_ le_p _] := bounds_of hv; move: bJ le_p; clear; lia.
+rewrite (piece_stays hu hv pol rE same bJ up_J (lies_under hu u_J) szw) szw eqxx; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h].
+by rewrite mxE (nth_map 0) ?sz // mul1r.
+Qed.
+
 (** blossoms raised_curve: the point at $t$ of the curve in the higher degree is that of the curve, for every $t$ of the domain.
     Hypotheses: an ordered field. *)
 Theorem blossoms_raised_curve n u c v r t q : raised_program K V n u c = Value (v, r) ->
   mapping_value_program K V n u c t = Value q -> mapping_value_program K V n.+1 v r t = Value q.
 Proof.
-move=> e /BZZ19_3_value[hu sc in_u ->]; have [hv sr rE] := blossoms_raised e.
-have ev : v = elevated_knots K n u by case/knot_listP: e => _ /fitsP[_] /knot_listP[_ e]; have [<- _] := Value_inj e.
-have [_ a_v b_v H] := elevated_knotsE hu; rewrite -ev in a_v b_v H.
-have in_v : at_list v n <= t <= at_list v (size v - n.+1) by rewrite a_v b_v.
+move=> e /BZZ19_3_value[hu sc in_u ->]; have [hv sr _] := blossoms_raised e.
+have [_ stay] := blossoms_raised_value n u c; have [v_a v_b] := stay _ _ e.
+have in_v : at_list v n <= t <= at_list v (size v - n.+1) by rewrite v_a v_b.
 apply/BZZ19_3_value; split=> //; apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..].
-pose b k := blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)).
-pose G k a := if size a == n.+1 then mean n (b k) a else 0.
-have G_n k a : size a = n.+1 -> G k a = mean n (b k) a by rewrite /G => ->; rewrite eqxx.
-have un : n.+1%:R \is a @GRing.unit F by rewrite unitfE pnatr_eq0.
-apply/esym; apply: (@spline_stays F n n.+1 1 u v (coord (at_list c) l) (coord (at_list r) l) G) => //.
-- by move=> k sp; apply: mean_polar.
-- move=> i le_i; rewrite G_n ?size_knots // /coord rE // mxE summxE; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h].
-  rewrite mxE /b /without (_ : (nth _ _ h).2 = 1) ?mul1r //.
-  by rewrite /knots (nth_map 0%N) // size_iota.
-- move=> i j J bJ up_J h_j in_i; rewrite !G_n ?size_knots // /mean; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h]; congr (_ * _).
-  have lt_k : (h < size (knots (at_list v) i n.+1))%N by rewrite size_knots.
-  apply: (@window_blossom _ n n.+1 1 u v J j) => // [|y]; first by rewrite size_without ?size_knots.
-  rewrite (seq.permP (perm_without (direction F) lt_k)) /= addnC leq_add2l; exact: leq_b1.
-- by left; rewrite a_v.
-by move=> k; rewrite G_n ?size_nseq // mean_nseq.
+have [_ _ H [pol rE same]] := raised_form l e; apply/esym.
+apply: (spline_stays (c := coord (at_list c) l) hu hv H pol rE same _ in_v in_u) => [|k]; first by left; rewrite v_a.
+by rewrite size_nseq eqxx mean_nseq // unitfE pnatr_eq0.
 Qed.
 End Curves.
