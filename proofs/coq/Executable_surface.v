@@ -267,10 +267,9 @@ Qed.
     Hypotheses: an ordered field. *)
 Theorem BZZ19_16_program n u c p v e d w b z (R S : seq 'rV[F]_3) (D := if Nat.leb n (p * d) then (p * d)%N else n) (x := breaks K d w u) (N := (size x).-1) j
     (k1 := (piece_at K n u (at_list x j)).-1) (k := (piece_at K d w (at_list x j)).-1) (sigma := curve d (drop_ k (at_list w)) (drop_ k (at_list b))) :
-  surface_program K V n u c p v e d w b false = Value (z, R, S) ->
-  (j < N)%N ->
-  at_list x j < at_list x j.+1 /\ exists2 k2,
-    [/\ at_list v (p + k2 - 1) <= sigma.[at_list x j], sigma.[at_list x j] <= sigma.[at_list x j.+1] & sigma.[at_list x j.+1] <= at_list v (p + k2)] &
+  surface_program K V n u c p v e d w b false = Value (z, R, S) -> (j < N)%N -> at_list x j < at_list x j.+1 /\ exists2 k2,
+    [/\ span p (drop_ k2 (at_list v)), (p + k2 - 1 < size v - p)%N, at_list v (p + k2 - 1) <= sigma.[at_list x j],
+      sigma.[at_list x j] <= sigma.[at_list x j.+1] & sigma.[at_list x j.+1] <= at_list v (p + k2)] &
     forall s t, ruled_surface (pcurve D (drop_ (j * D) (at_list z)) (drop_ (j * D) (at_list R)))
         (pcurve D (drop_ (j * D) (at_list z)) (drop_ (j * D) (at_list S))) 'X s t
       = ruled_surface (pcurve n (drop_ k1 (at_list u)) (drop_ k1 (at_list c))) (pcurve p (drop_ k2 (at_list v)) (drop_ k2 (at_list e))) sigma s t.
@@ -296,7 +295,7 @@ have in_u i : (i < N)%N -> at_list u n.-1 <= at_list x i <= at_list u (size u - 
   by move=> /in_w/andP[h1 h2]; rewrite (le_trans lo) // (le_trans h2).
 have [sn netE] := collectP [::] Ec.
 have second i (lt_i : (i < N)%N) := second_netE (g D.+1) le_pd hv hw (in_w i lt_i) (netE i lt_i).
-have [k2 [spv _ l1 l2 l3] [_ eS]] := second j lt_j; exists k2 => // s t.
+have [k2 [spv bv l1 l2 l3] [_ eS]] := second j lt_j; exists k2 => // s t.
 set firsts := mkseq _ N; have sfirst : size firsts = N by rewrite size_mkseq.
 have eP i : (i < N)%N -> size (nth [::] firsts i) = D.+1 /\ pbez D (at_list (nth [::] firsts i))
     = map_mx (fun f => f \Po line (at_list x i) (at_list x i.+1)) (pcurve n (drop_ (piece_at K n u (at_list x i)).-1 (at_list u))
