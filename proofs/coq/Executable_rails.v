@@ -161,7 +161,8 @@ have [hR hS] : ev (pcurve D (drop_ (j * D) (at_list z)) (drop_ (j * D) (at_list 
     by apply/rowP=> l; rewrite !mxE horner_comp -(value_ofE b _ hw in_xj) sigE.
   by apply/rowP=> l; rewrite !mxE horner_comp hornerX.
 split.
-  have -> : mapping_value_program K V n u c t = Value (ev (pcurve n (drop_ ((interval K n u t).+1 - n) (at_list u)) (drop_ ((interval K n u t).+1 - n) (at_list c))) t).
+  have -> : mapping_value_program K V n u c t
+      = Value (ev (pcurve n (drop_ ((interval K n u t).+1 - n) (at_list u)) (drop_ ((interval K n u t).+1 - n) (at_list c))) t).
     by apply/BZZ19_3_value.
   apply/BZZ19_3_value; split=> //; first by rewrite sR szD.
   rewrite -/J ek hR; apply/rowP=> l; rewrite !mxE; have := same_u t x_t t_x (coord (at_list c) l).

@@ -1,4 +1,4 @@
-(* More knots: what happens without the hypotheses of the theorem on the whole curve, one counterexample each, over the rational numbers.
+(* Whole curves and surfaces: what happens without the hypotheses of the theorems on the programs, one counterexample each, over the rational numbers.
    Definitions:
      on_line s        the numbers s as points of a line *)
 From Torse Require Import Prelude Executable Executable_knots Executable_splines Executable_mappings Executable_elimination Executable_surface.
@@ -58,5 +58,17 @@ Theorem blossoms_refined_curve_needs_start (u := [:: 0; 0; 1; 1; 2%:R; 2%:R]) (c
 Proof.
 exists (on_line [:: 0; - 2%:R; 0; 1; 0]); first by apply: refined_line; vm_compute.
 by split; apply: value_line; vm_compute.
+Qed.
+
+(** BZZ19.16 rails_needs_monotone: where $\sigma$ decreases between two breakpoints $C_2$ is continued beyond its piece. One coordinate: over the knots $0,1,2$ of
+    degree 1 let $C_2$ have the points $0,1,0$, and let the mapping on $[0,1]$ have the coefficients $0,3,1$, $\sigma(\frac12)=\frac74$, $C_2(\frac74)=\frac14$. The
+    program gives a row with the point $\frac74$ at $\frac12$. *)
+Theorem BZZ19_16_rails_needs_monotone (u := [:: 0; 1]) (v := [:: 0; 1; 2%:R]) (w := [:: 0; 0; 1; 1]) (b := [:: 0; 3%:R; 1]) (h := 2%:R^-1) (s := 7%:R / 4%:R) :
+  exists2 S, exists z R, surface_program K (itself K) 1 u [:: 0; 0] 1 v [:: 0; 1; 0] 2 w b false = Value (z, R, S) /\
+      mapping_value_program K (itself K) 2 z S h = Value s &
+    value_of K 2 w b h h = s /\ mapping_value_program K (itself K) 1 v [:: 0; 1; 0] s = Value 4%:R^-1.
+Proof.
+exists [:: 0; 3%:R; 1]; last by split; vm_compute.
+by exists [:: 0; 0; 1; 1], [:: 0; 0; 0]; split; vm_compute.
 Qed.
 End Needs.
