@@ -161,7 +161,7 @@ by have [] := elevated_knotsE hu.
 Qed.
 
 Lemma raised_form n u c v r (l : 'I_m) (b := fun k => blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)))
-    (G := fun k a => if size a == n.+1 then mean n (b k) a else 0) : raised_program K V n u c = Value (v, r) ->
+    (G := fun k a => if size a == n.+1 then mean_form n (b k) a else 0) : raised_program K V n u c = Value (v, r) ->
   [/\ valid n u, valid n.+1 v, holds_knots 1 n u n.+1 v & [/\ forall k, span n (drop_ k (at_list u)) -> polar n.+1 (G k),
     forall i, (i <= size v - n.+1)%N -> coord (at_list r) l i = G (piece_of K n u v n.+1 i).-1 (knots (at_list v) i n.+1) &
     forall i j J, (n <= J < size v - n.+1)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + n.+1)%N ->
@@ -170,12 +170,12 @@ Proof.
 move=> e; have [hv sr rE] := blossoms_raised e; have hu : valid n u by case/knot_listP: e.
 have ev : v = elevated_knots K n u by case/knot_listP: e => _ /fitsP[_] /knot_listP[_ e]; have [<- _] := Value_inj e.
 have [_ _ _ H] := elevated_knotsE hu; rewrite -ev in H.
-have G_n k a : size a = n.+1 -> G k a = mean n (b k) a by rewrite /G => ->; rewrite eqxx.
+have G_n k a : size a = n.+1 -> G k a = mean_form n (b k) a by rewrite /G => ->; rewrite eqxx.
 split=> //; split=> [k sp|i le_i|i j J bJ up_J h_j in_i]; first exact: mean_polar.
   rewrite G_n ?size_knots // /coord rE // mxE summxE; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h].
-  rewrite mxE /b /without (_ : (nth _ _ h).2 = 1) ?mul1r //.
+  rewrite mxE /b /omit (_ : (nth _ _ h).2 = 1) ?mul1r //.
   by rewrite /knots (nth_map 0%N) // size_iota.
-rewrite !G_n ?size_knots // /mean; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h]; congr (_ * _).
+rewrite !G_n ?size_knots // /mean_form; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h]; congr (_ * _).
 have lt_k : (h < size (knots (at_list v) i n.+1))%N by rewrite size_knots.
 apply: (@window_blossom _ n n.+1 1 u v J j) => // [|y]; first by rewrite size_without ?size_knots.
 rewrite (seq.permP (perm_without (direction F) lt_k)) /= addnC leq_add2l; exact: leq_b1.
@@ -187,7 +187,7 @@ Qed.
 Theorem blossoms_raised_blossom n u c v r J (s : seq F) (j := interval K n u (at_list v J)) (w := [seq at_ t | t <- s]) :
   raised_program K V n u c = Value (v, r) -> (n <= J < size v - n.+1)%N -> at_list v J < at_list v J.+1 -> size s = n.+1 ->
   pblossom (piece n.+1 J (at_list v)) (piece n.+1 J (at_list r)) w
-    = n.+1%:R^-1 *: \sum_(0 <= h < n.+1) pblossom (piece n j (at_list u)) (piece n j (at_list c)) (without h w).
+    = n.+1%:R^-1 *: \sum_(0 <= h < n.+1) pblossom (piece n j (at_list u)) (piece n j (at_list c)) (omit h w).
 Proof.
 move=> e bJ up_J sz; have szw : size w = n.+1 by rewrite size_map.
 apply/rowP=> l; have [hu hv H [pol rE same]] := raised_form l e; rewrite !mxE summxE.

@@ -67,7 +67,7 @@ Qed.
 (* The piece that begins at knot i. *)
 Local Notation piece n i u := (drop_ (i.+1 - n) u).
 
-Lemma level n u i j : valid n u -> (j < size u)%N -> (forall l, (i <= l < j)%N -> ~~ (at_list u l < at_list u l.+1)) ->
+Lemma level_knots n u i j : valid n u -> (j < size u)%N -> (forall l, (i <= l < j)%N -> ~~ (at_list u l < at_list u l.+1)) ->
   forall l, (i <= l <= j)%N -> at_list u l = at_list u j.
 Proof.
 move=> hv lt_j flat l /andP[le_l]; move: {2}(j - l)%N (erefl (j - l)%N) => d; elim: d l le_l => [|d ih] l le_l e_d le_j; first by congr nth; lia.
@@ -91,7 +91,7 @@ have ex : exists l, (i < l)%N && (at_list u l < at_list u l.+1) by exists j; rew
 case: (ex_minnP ex) => h /andP[lt_ih up_h] first_h; have le_hj : (h <= j)%N by apply: first_h; rewrite lt_ij.
 have lt_h : (h < size u)%N by lia.
 have flat l : (i.+1 <= l <= h)%N -> at_list u l = at_list u h.
-  apply: (level hv lt_h) => q /andP[le_q lt_q]; apply/negP=> up_q.
+  apply: (level_knots hv lt_h) => q /andP[le_q lt_q]; apply/negP=> up_q.
   by have := first_h q; rewrite le_q up_q => /(_ isT); rewrite leqNgt lt_q.
 pose r := (h - i)%N; pose y := at_list u h.
 have le_yj : y <= at_list u j by apply: knots_up hv _; lia.
@@ -138,7 +138,7 @@ case: in_t => [lt_t|[e _]]; first by move: (lt_le_trans lt_t le_i); rewrite ltNg
 by move: (lt_le_trans up_i le_L); rewrite -e ltNge le_i.
 Qed.
 
-Lemma crossed n u c i j a : valid n u -> size a = n -> (n.-1 <= i < size u - n)%N -> (n.-1 <= j < size u - n)%N ->
+Lemma crossed_pieces n u c i j a : valid n u -> size a = n -> (n.-1 <= i < size u - n)%N -> (n.-1 <= j < size u - n)%N ->
   at_list u i < at_list u i.+1 -> at_list u j < at_list u j.+1 ->
   (forall y, y \in u -> (at_list u i < y <= at_list u j) || (at_list u j < y <= at_list u i) -> (count_mem y u <= count_mem (at_ y) a)%N) ->
   blossom (piece n i (at_list u)) (piece n i c) a = blossom (piece n j (at_list u)) (piece n j c) a.
@@ -154,7 +154,7 @@ Lemma same_value n u c i j t : valid n u -> (n.-1 <= i < size u - n)%N -> (n.-1 
   (curve n (piece n i (at_list u)) (piece n i c)).[t] = (curve n (piece n j (at_list u)) (piece n j c)).[t].
 Proof.
 move=> hv bi bj up_i up_j in_i in_j; rewrite !horner_curve; [|by apply: blossoms_carried; rewrite ?lt_eqF..].
-rewrite (crossed _ hv (size_nseq _ _) bi bj up_i up_j) // => y yu in_y; have [n0 le_n _] := bounds_of hv.
+rewrite (crossed_pieces _ hv (size_nseq _ _) bi bj up_i up_j) // => y yu in_y; have [n0 le_n _] := bounds_of hv.
 have [lt_i lt_j] : (i.+1 < size u)%N /\ (j.+1 < size u)%N by move: bi bj n0 le_n; clear; split; lia.
 have -> : y = t.
   have/andP[le_i ge_i] := in_i; have/andP[le_j ge_j] := in_j; apply/eqP; rewrite eq_le.

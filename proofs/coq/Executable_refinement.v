@@ -22,7 +22,7 @@ Hypotheses (hu : valid n u) (hv : valid n v).
 Hypothesis often : forall x y, x \in v -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) -> y <= at_list v (size v - n) -> (count_mem y u <= count_mem y v)%N.
 Let G c k a := if size a == n then blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a else 0.
 
-Lemma form_of c k a : size a = n -> G c k a = blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a.
+Lemma vertex_form c k a : size a = n -> G c k a = blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a.
 Proof. by rewrite /G => ->; rewrite eqxx. Qed.
 
 Lemma often_holds : holds_knots 0 n u n v.
@@ -34,8 +34,8 @@ Lemma refined_form c r : refined_program K V n u c v = Value r -> [/\ forall k, 
     G c (piece_of K n u v n i).-1 (knots (at_list v) i n) = G c (j.+1 - n)%N (knots (at_list v) i n)].
 Proof.
 move=> e; have [_ _ rE _] := blossoms_refined e; split=> [k sp|i le_i|i j J bJ up_J h_j in_i]; first exact: blossom_polar.
-  by rewrite form_of ?size_knots // /coord rE // mxE.
-rewrite !form_of ?size_knots //; apply: (window_blossom (e := 0) hu hv often_holds bJ up_J h_j) => // [|y]; first exact: size_knots.
+  by rewrite vertex_form ?size_knots // /coord rE // mxE.
+rewrite !vertex_form ?size_knots //; apply: (window_blossom (e := 0) hu hv often_holds bJ up_J h_j) => // [|y]; first exact: size_knots.
 by rewrite addn0.
 Qed.
 End Refined.

@@ -138,7 +138,7 @@ Lemma window_blossom c i a : (i <= J.+1 <= i + p)%N -> size a = n ->
   blossom (drop_ (piece_of K n u v p i).-1 (at_list u)) (drop_ (piece_of K n u v p i).-1 c) a = blossom (piece n j (at_list u)) (piece n j c) a.
 Proof.
 move=> in_i sz often; have [h [bh up_h -> holds]] := window_piece in_i; have [b _ up_j _] := h_j.
-apply: crossed => // y yu in_y; have := leq_trans (holds y yu in_y) (often y); by rewrite leq_add2r.
+apply: crossed_pieces => // y yu in_y; have := leq_trans (holds y yu in_y) (often y); by rewrite leq_add2r.
 Qed.
 
 (* From the piece of u that holds v_J to the one that holds t. *)
@@ -147,7 +147,7 @@ Lemma same_point c t jt : at_list v J <= t <= at_list v J.+1 -> t <= at_list u (
 Proof.
 have [n0 le_n p0 le_p] := bounds_; have [b le_j up_j in_j] := h_j => /andP[le_t ge_t] t_L h_t; have [bt le_jt up_t _] := h_t.
 have jjt : (j <= jt)%N by apply: lies_up h_j h_t le_t.
-apply: crossed; rewrite ?size_nseq // => y yu in_y.
+apply: crossed_pieces; rewrite ?size_nseq // => y yu in_y.
 have ujt : at_list u j <= at_list u jt by apply: (knots_up hu); rewrite jjt; move: bt n0 le_n; clear; lia.
 have {in_y}/andP[lt_y le_y] : at_list u j < y <= at_list u jt.
   by case/orP: in_y => // /andP[lt_y le_y]; move: (lt_le_trans lt_y le_y); rewrite ltNge ujt.

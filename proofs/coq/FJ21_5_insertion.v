@@ -1,6 +1,6 @@
 (* Knot insertion and the cells of a net, FJ21, section 5.
    Definitions:
-     side u n y c i    one side of FJ07 (13) without its denominator, (u_{i+n} - y) c_i + (y - u_i) c_{i+1} *)
+     cell_half u n y c i    one side of FJ07 (13) without its denominator, (u_{i+n} - y) c_i + (y - u_i) c_{i+1} *)
 From Torse Require Import Prelude Blossom Curves Points Insertion FJ07_3_net FJ21_5_changes Executable Executable_knots Executable_splines
   Executable_mappings Executable_joints Executable_refinement.
 From mathcomp Require Import order ssrnum.
@@ -10,14 +10,14 @@ Section Side.
 Variable F : fieldType.
 Implicit Types (u c : nat -> F) (x y : F) (n p i k : nat).
 
-Definition side u n y c i := (u (i + n)%N - y) * c i + (y - u i) * c i.+1.
+Definition cell_half u n y c i := (u (i + n)%N - y) * c i + (y - u i) * c i.+1.
 
 (* A side of a cell of the new net: those of the old cells i - 1 and i that it comes from. *)
 Lemma side_inserted n p x u i : (n <= p)%N || (0 < i)%N -> (forall k, (k < p <= k + n)%N -> u (k + n)%N - u k != 0) ->
   exists a b, [/\ (i + n <= p)%N -> a = 0, (p <= i)%N -> b = 0 &
-    forall c y, side (insert_knot p x u) n y (insert_point n p x u c) i = a * side u n y c i.-1 + b * side u n y c i].
+    forall c y, cell_half (insert_knot p x u) n y (insert_point n p x u c) i = a * cell_half u n y c i.-1 + b * cell_half u n y c i].
 Proof.
-move=> first_ nz; rewrite /side /insert_knot /insert_point.
+move=> first_ nz; rewrite /cell_half /insert_knot /insert_point.
 have [before|inside_] := ltnP (i + n) p.
   have [h1 h2] : (i + n <= p /\ i < p)%N by move: before; clear; lia.
   exists 0, 1; split=> [//|h|c y]; first by move: h2 h; clear; lia.
@@ -62,8 +62,8 @@ Section Net.
 Variables (F : fieldType) (m : nat).
 Implicit Types (u : nat -> F) (x L M : F) (c d : nat -> 'rV[F]_m) (n p i k : nat).
 
-Lemma cell_side u n L M c d i : cell u n L M c d i <-> forall l, side u n L (coord c l) i = side u n M (coord d l) i.
-Proof. by rewrite /cell /side; split=> [e l|e]; [have := congr1 (fun r : 'rV_m => r 0 l) e | apply/rowP=> l; have := e l]; rewrite !mxE. Qed.
+Lemma cell_side u n L M c d i : cell u n L M c d i <-> forall l, cell_half u n L (coord c l) i = cell_half u n M (coord d l) i.
+Proof. by rewrite /cell /cell_half; split=> [e l|e]; [have := congr1 (fun r : 'rV_m => r 0 l) e | apply/rowP=> l; have := e l]; rewrite !mxE. Qed.
 
 (** FJ21.K net: Boehm's points over the knots with $x$ inserted as knot $p$ obey FJ07 (13) with the same $\Lambda^{*}$ and $M^{*}$ in the cell $i$ if the points of
     the old knots do in the cells that it comes from: $i-1$ if the new cell ends after $x$, $i$ if it begins before $x$. For $\sigma q$ in the place of $d$ it is
@@ -74,8 +74,8 @@ Theorem FJ21_K_net n p x u c d L M i (u' := insert_knot p x u) (c' := insert_poi
   ((p < i + n)%N -> cell u n L M c d i.-1) -> ((i < p)%N -> cell u n L M c d i) -> cell u' n L M c' d' i.
 Proof.
 move=> first_ nz before after; apply/cell_side => k; have [a [b [a0 b0 e]]] := side_inserted x first_ nz.
-have cE (f : nat -> 'rV[F]_m) y : side u' n y (coord (insert_points n p x u f) k) i = side u' n y (insert_point n p x u (coord f k)) i.
-  by rewrite /side /coord !mxE.
+have cE (f : nat -> 'rV[F]_m) y : cell_half u' n y (coord (insert_points n p x u f) k) i = cell_half u' n y (insert_point n p x u (coord f k)) i.
+  by rewrite /cell_half /coord !mxE.
 rewrite !cE !e; congr (_ + _).
   have [/before/cell_side -> //|/a0 ->] := ltnP p (i + n); by rewrite !mul0r.
 by have [/after/cell_side -> //|/b0 ->] := ltnP i p; rewrite !mul0r.
@@ -99,13 +99,13 @@ Proof.
 move=> e1 e2 net i lt_i; have [[hu hv sv _] [bj _ vE rE]] := insertion_lists e1; have [_ [_ _ _ sE]] := insertion_lists e2.
 move: bj vE rE sE; set j := interval K n u x => bj vE rE sE; have [n0 le_n _] := bounds_of hu.
 have lt_L : (size v - n = (size u - n).+1)%N by rewrite sv; move: le_n; clear; lia.
-apply/cell_side => k; rewrite /side !vE !rE ?sE ?(ltnW lt_i) //.
+apply/cell_side => k; rewrite /cell_half !vE !rE ?sE ?(ltnW lt_i) //.
 have /cell_side/(_ k) : cell (insert_knot j.+1 x (at_list u)) n L M (insert_points n j.+1 x (at_list u) (at_list c)) (insert_points n j.+1 x (at_list u) (at_list d)) i.
   apply: FJ21_K_net => [|q in_q|lt_p|lt_p].
   - by apply/orP; left; move: bj; clear; lia.
   - rewrite subr_eq0 gt_eqF // (repeated hu) //; move: in_q bj n0 le_n; clear; lia.
   - by apply: net; move: lt_i lt_p bj n0; rewrite lt_L; clear; lia.
   by apply: net; move: lt_p bj; clear; lia.
-by rewrite /side /coord !mxE.
+by rewrite /cell_half /coord !mxE.
 Qed.
 End Program.

@@ -1,6 +1,6 @@
 (* Whole curves and surfaces: what happens without the hypotheses of the theorems on the programs, one counterexample each, over the rational numbers.
    Definitions:
-     on_line s        the numbers s as points of a line *)
+     on_axis s        the numbers s as points of a line *)
 From Torse Require Import Prelude Executable Executable_knots Executable_splines Executable_mappings Executable_elimination Executable_surface.
 From mathcomp Require Import order ssrnum.
 
@@ -11,28 +11,28 @@ Local Notation K := (ordered F).
 Local Notation V := (rows [fieldType of F] 1).
 Local Notation point x := (const_mx x : 'rV[F]_1).
 
-Definition on_line s : seq 'rV[F]_1 := [seq point x | x <- s].
+Definition on_axis s : seq 'rV[F]_1 := [seq point x | x <- s].
 
-Lemma nth_line s i : nth 0 (on_line s) i = point (nth 0 s i).
+Lemma nth_line s i : nth 0 (on_axis s) i = point (nth 0 s i).
 Proof. by elim: s i => [|x s ih] [|i] //=; rewrite ?nth_nil; apply/rowP=> j; rewrite !mxE. Qed.
 
-Lemma deboor_line u s a : deboor K V u (on_line s) a = point (deboor K (itself K) u s a).
+Lemma deboor_line u s a : deboor K V u (on_axis s) a = point (deboor K (itself K) u s a).
 Proof.
 elim: a u s => [|x a ih] u s; first exact: nth_line.
-rewrite [LHS]/= [in RHS]/= -ih; congr deboor; rewrite /on_line /mkseq -map_comp; apply: eq_map => i.
+rewrite [LHS]/= [in RHS]/= -ih; congr deboor; rewrite /on_axis /mkseq -map_comp; apply: eq_map => i.
 by rewrite /step_point /= !nth_line; apply/rowP=> j; rewrite !mxE.
 Qed.
 
-Lemma refined_line n u s v r : refined_program K (itself K) n u s v = Value r -> refined_program K V n u (on_line s) v = Value (on_line r).
+Lemma refined_line n u s v r : refined_program K (itself K) n u s v = Value r -> refined_program K V n u (on_axis s) v = Value (on_axis r).
 Proof.
 rewrite /refined_program /knot_list /fits size_map /given; do !case: ifP => // _; case=> <-; congr Value.
-rewrite /on_line /mkseq -map_comp; apply: eq_map => i; rewrite /over_piece /= -deboor_line /on_line map_drop //.
+rewrite /on_axis /mkseq -map_comp; apply: eq_map => i; rewrite /over_piece /= -deboor_line /on_axis map_drop //.
 Qed.
 
-Lemma value_line n u s t x : mapping_value_program K (itself K) n u s t = Value x -> mapping_value_program K V n u (on_line s) t = Value (point x).
+Lemma value_line n u s t x : mapping_value_program K (itself K) n u s t = Value x -> mapping_value_program K V n u (on_axis s) t = Value (point x).
 Proof.
 rewrite /mapping_value_program /point_program /blossom_program /knot_list /fits size_map /given; do !case: ifP => // _; case=> <-; congr Value.
-by rewrite -deboor_line /on_line map_drop.
+by rewrite -deboor_line /on_axis map_drop.
 Qed.
 End Line.
 
@@ -42,21 +42,21 @@ Local Notation V := (rows [fieldType of rat] 1).
 Local Notation point x := (const_mx x : 'rV[rat]_1).
 
 (** blossoms refined_curve_needs_knots: over the knots $0,1,2$ of degree 1 the points $0,1,0$ have $c(1)=1$; over $0,2$ the curve is 0. *)
-Theorem blossoms_refined_curve_needs_knots (u := [:: 0; 1; 2%:R]) (c := on_line [:: 0; 1; 0]) (v := [:: 0; 2%:R]) :
+Theorem blossoms_refined_curve_needs_knots (u := [:: 0; 1; 2%:R]) (c := on_axis [:: 0; 1; 0]) (v := [:: 0; 2%:R]) :
   exists2 r, refined_program K V 1 u c v = Value r &
     mapping_value_program K V 1 u c 1 = Value (point 1) /\ mapping_value_program K V 1 v r 1 = Value (point 0).
 Proof.
-exists (on_line [:: 0; 0]); first by apply: refined_line; vm_compute.
+exists (on_axis [:: 0; 0]); first by apply: refined_line; vm_compute.
 by split; apply: value_line; vm_compute.
 Qed.
 
 (** blossoms refined_curve_needs_start: over the knots $0,0,1,1,2,2$ of degree 2 the points $0,0,0,1,0$ have $c(0)=0$; over $-1,-1,1,1,2,2$, where 0 is no
     knot and each knot inside is as often, the vertices are $0,-2,0,1,0$, and at 0 the curve is $-1$. *)
-Theorem blossoms_refined_curve_needs_start (u := [:: 0; 0; 1; 1; 2%:R; 2%:R]) (c := on_line [:: 0; 0; 0; 1; 0]) (v := [:: -1; -1; 1; 1; 2%:R; 2%:R]) :
+Theorem blossoms_refined_curve_needs_start (u := [:: 0; 0; 1; 1; 2%:R; 2%:R]) (c := on_axis [:: 0; 0; 0; 1; 0]) (v := [:: -1; -1; 1; 1; 2%:R; 2%:R]) :
   exists2 r, refined_program K V 2 u c v = Value r &
     mapping_value_program K V 2 u c 0 = Value (point 0) /\ mapping_value_program K V 2 v r 0 = Value (point (-1)).
 Proof.
-exists (on_line [:: 0; - 2%:R; 0; 1; 0]); first by apply: refined_line; vm_compute.
+exists (on_axis [:: 0; - 2%:R; 0; 1; 0]); first by apply: refined_line; vm_compute.
 by split; apply: value_line; vm_compute.
 Qed.
 
