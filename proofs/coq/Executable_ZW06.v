@@ -49,45 +49,47 @@ Local Notation rulings c r := (pbez (size c).-1 (ruling c r)).
 Lemma in_row c i : (0 < size c)%N -> (i <= (size c).-1)%N -> (i < size c)%N.
 Proof. by move=> c0 le_i; rewrite -(prednK c0). Qed.
 
-Lemma good_row c : good F (size c) -> [/\ good F (size c).-1, independent F (size c).-1 &
-  forall i, (0 < size c)%N -> (i <= (size c).-1)%N -> i.+1%:R != 0 :> F].
+Lemma good_row c i : good F (size c) -> (0 < size c)%N -> (i <= (size c).-1)%N -> i.+1%:R != 0 :> F.
+Proof. by move=> g c0 le_i; apply: (good_nat g); rewrite ltnS in_row. Qed.
+
+Lemma no_points c r : size c = 0%N -> size r = 0%N -> [/\ pderiv (directrix c) = 0, rulings c r = 0 & pderiv (rulings c r) = 0].
 Proof.
-move=> g; have g1 : good F (size c).-1 by apply: good_le g; exact: leq_pred.
-split=> //; [exact: good_independent | move=> i c0 le_i; apply: (good_nat g)].
-by rewrite ltnS in_row.
+move=> /size0nil -> /size0nil ->; have z (f : nat -> 'rV[F]_m) : f 0%N = 0 -> pbez 0 f = 0.
+  by move=> f0; apply/rowP=> k; rewrite !mxE /bez big_nat1 /coord f0 mxE polyC0 mul0r.
+have d0 : pderiv (0 : 'rV[{poly F}]_m) = 0 by apply/rowP=> k; rewrite !mxE linear0.
+by rewrite !z ?d0 // /ruling subrr.
 Qed.
 
-(** ZW06.12 program: the program gives a row with $(\rho-1)a'=\tau'$ and $q_0=d$.
-    Hypotheses: characteristic 0 or greater than the number of points; there are points. *)
-Theorem ZW06_12_program c x d (r := cone_program V c x d) : good F (size c) -> (0 < size c)%N ->
-  at_list r 0 = d /\ (x - 1)%:P *: pderiv (directrix c) = pderiv (rulings c r).
+(** ZW06.12 program: the program gives a row with $(\rho-1)a'=\tau'$, and with $q_0=d$ where there are points. *)
+Theorem ZW06_12_program c x d (r := cone_program V c x d) :
+  ((0 < size c)%N -> at_list r 0 = d) /\ (x - 1)%:P *: pderiv (directrix c) = pderiv (rulings c r).
 Proof.
-move=> /good_row[g ind nz] c0; split; first by rewrite /r /cone_program; case: (size c) c0.
-apply/ZW06_12_unique => // i; have er j : at_list c j + ruling c r j = at_list r j by rewrite /ruling addrC subrK.
-rewrite !er; elim: i => [|i ih] le_i; first by rewrite subrr scaler0 addr0.
-rewrite /r /cone_program nth_sequence; last exact: in_row.
-rewrite -/(cone_program V c x d) -/r ih 1?ltnW // add0n /forward /=.
-by move: (at_list r 0) (at_list c i) (at_list c i.+1) (at_list c 0) => a b e f; by_entries k; ring.
+split; first by rewrite /r /cone_program; case: (size c).
+apply: ZW06_12_solves => i lt_i; rewrite /ruling /r /cone_program nth_sequence; last by lia.
+rewrite -/(cone_program V c x d) -/r add0n /forward /=.
+by move: (at_list r i) (at_list c i) (at_list c i.+1) => a b e; by_entries k; ring.
 Qed.
 
 (** ZW06.13 program: the program gives a row with $a'=s\tau+su\tau'$, wherever it gives a row.
-    Hypotheses: characteristic 0 or greater than the number of points; there are points. *)
-Theorem ZW06_13_program c s r : good F (size c) -> (0 < size c)%N -> start_cone_program K V c s = Value r ->
+    Hypotheses: characteristic 0 or greater than the number of points, so that none of the program's divisors $1,\dots,n+1$ is 0. *)
+Theorem ZW06_13_program c s r : good F (size c) -> start_cone_program K V c s = Value r ->
   pderiv (directrix c) = s%:P *: rulings c r + s%:P *: ('X *: pderiv (rulings c r)).
 Proof.
-move=> /good_row[g ind nz] c0 e; have [s0 {}e] := given_Value e; rewrite /= in s0; apply/ZW06_13_unique => // i le_i.
-have ni : i.+1%:R != 0 :> F by exact: nz.
+move=> g e; have [s0 {}e] := given_Value e; rewrite /= in s0; have sr : size r = size c by rewrite -(Value_inj e) size_mkseq.
+have [c0|c0] := posnP (size c); first by have [|-> -> ->] := @no_points c r c0; rewrite ?sr // !(scaler0, addr0).
+apply: ZW06_13_solves => i le_i; have ni := good_row g c0 le_i.
 rewrite -(Value_inj e) /ruling nth_mkseq; last exact: in_row.
 rewrite /nat_ !of_natE /= (addrC (at_list c i)) addrK prednK //.
 by rewrite scalerKV // mulf_neq0.
 Qed.
 
 (** ZW06.16 program: the program gives a row with $a'=2\tau+u\tau'$.
-    Hypotheses: characteristic 0 or greater than the number of points; there are points. *)
-Theorem ZW06_16_program c (r := mean_tangent_program K V c) : good F (size c) -> (0 < size c)%N ->
+    Hypotheses: characteristic 0 or greater than the number of points, so that none of the divisors $(i+1)(i+2)$ of the means that count, those with $i<n$, is 0. *)
+Theorem ZW06_16_program c (r := mean_tangent_program K V c) : good F (size c) ->
   pderiv (directrix c) = 2%:R%:P *: rulings c r + 'X *: pderiv (rulings c r).
 Proof.
-move=> gc c0; have gn : good F (size c).-1.+1 by rewrite prednK.
+move=> gc; have [c0|c0] := posnP (size c); first by have [|-> -> ->] := @no_points c r c0; rewrite ?size_mkseq // !(scaler0, addr0).
+have gn : good F (size c).-1.+1 by rewrite prednK.
 have := ZW06_16_closed (at_list c) gn; set tau := fun i => _ => e.
 have eq_r : rulings c r = pbez (size c).-1 tau.
   apply: pbez_ext => i le_i; rewrite /ruling /r nth_mkseq; last exact: in_row.
@@ -96,37 +98,36 @@ have eq_r : rulings c r = pbez (size c).-1 tau.
 by rewrite eq_r.
 Qed.
 
-(** ZW06.17 program: the program gives a row with $a'=\tau$.
-    Hypotheses: characteristic 0 or greater than the number of points; there are points. *)
-Theorem ZW06_17_program c (r := tangent_program K V c) : good F (size c) -> (0 < size c)%N -> pderiv (directrix c) = rulings c r.
+(** ZW06.17 program: the program gives a row with $a'=\tau$. *)
+Theorem ZW06_17_program c (r := tangent_program K V c) : pderiv (directrix c) = rulings c r.
 Proof.
-move=> /good_row[g ind nz] c0; apply/ZW06_17_unique => // i le_i.
-rewrite /ruling /r nth_mkseq; last exact: in_row.
+have [c0|c0] := posnP (size c); first by have [|-> -> _] := @no_points c r c0; rewrite ?size_mkseq.
+apply: ZW06_17_solves => i le_i; rewrite /ruling /r nth_mkseq; last exact: in_row.
 by rewrite /nat_ !of_natE /= (addrC (at_list c i)) addrK.
 Qed.
 
 (** ZW06.18 program: the program gives a row with $u\,a'=\tau+u\tau'$.
-    Hypotheses: characteristic 0 or greater than the number of points; there are points. *)
-Theorem ZW06_18_program c (r := mean_chord_program K V c) : good F (size c) -> (0 < size c)%N ->
+    Hypotheses: characteristic 0 or greater than the number of points, so that none of the program's divisors $2,\dots,n+1$ is 0. *)
+Theorem ZW06_18_program c (r := mean_chord_program K V c) : good F (size c) ->
   'X *: pderiv (directrix c) = rulings c r + 'X *: pderiv (rulings c r).
 Proof.
-move=> /good_row[g ind nz] c0; apply/ZW06_18_recursion => // -[|i] le_i.
+move=> g; have [c0|c0] := posnP (size c); first by have [|-> -> ->] := @no_points c r c0; rewrite ?size_sequence // !(scaler0, addr0).
+apply: ZW06_18_solves => -[|i] le_i.
   by rewrite scale0r /ruling /r /mean_chord_program; case: (size c) c0 => //= k _; rewrite subrr scaler0.
-have ni : i.+2%:R != 0 :> F by exact: nz.
+have ni := good_row g c0 le_i.
 rewrite /prev /= /ruling /r /mean_chord_program nth_sequence; last exact: in_row.
 rewrite -/(mean_chord_program K V c) -/r add0n /nat_ !of_natE /forward /=.
 by rewrite addrAC subrr add0r scalerA mulrCA mulfV // mulr1.
 Qed.
 
-(** ZW06.20 program: the program gives Aumann's row: $(\rho-1)a'=n(1-s)\tau+(1-u+su)\tau'$ and $q_0=d$.
-    Hypotheses: characteristic 0 or greater than the number of points; there are points. *)
-Theorem ZW06_20_program c x s d (n := (size c).-1) (r := affine_net_program V c x s d) : good F (size c) -> (0 < size c)%N ->
-  at_list r 0 = d /\ (x - 1)%:P *: pderiv (directrix c)
+(** ZW06.20 program: the program gives Aumann's row: $(\rho-1)a'=n(1-s)\tau+(1-u+su)\tau'$, and $q_0=d$ where there are points. *)
+Theorem ZW06_20_program c x s d (n := (size c).-1) (r := affine_net_program V c x s d) :
+  ((0 < size c)%N -> at_list r 0 = d) /\ (x - 1)%:P *: pderiv (directrix c)
     = (n%:R * (1 - s))%:P *: rulings c r + ((1 - 'X) *: pderiv (rulings c r) + s%:P *: ('X *: pderiv (rulings c r))).
 Proof.
-move=> /good_row[g ind nz] c0; split; first by rewrite /r /affine_net_program; case: (size c) c0.
-apply/ZW06_20_unique => // i lt_i.
-rewrite {1}/ruling /r /affine_net_program nth_sequence; last exact: in_row.
+split; first by rewrite /r /affine_net_program; case: (size c).
+apply: ZW06_20_solves => i lt_i.
+rewrite {1}/ruling /r /affine_net_program nth_sequence; last by lia.
 rewrite -/(affine_net_program V c x s d) -/r add0n /forward /ruling /=.
 by move: (at_list r i) (at_list c i) (at_list c i.+1) => a b e; by_entries k; ring.
 Qed.

@@ -49,13 +49,6 @@ Proof. by rewrite /cell subrr scale0r addr0. Qed.
 Theorem FJ07_13_knot_line u n c d i : u (i + n)%N - u i != 0 -> cell u n (u i) (u i) c d i <-> c i = d i.
 Proof. by move=> h; rewrite FJ07_13_knot subrr scale0r addr0; split=> [/(scalerI h)|->]. Qed.
 
-Lemma eq_of_diff (a b a' b' : 'rV[F]_m) : a - b = b' - a' -> a = b <-> a' = b'.
-Proof.
-move=> eq_d; split=> eq_ab.
-  by apply/eqP; rewrite eq_sym -subr_eq0 -eq_d eq_ab subrr.
-by apply/eqP; rewrite -subr_eq0 eq_d eq_ab subrr.
-Qed.
-
 (** FJ07.13 rulings: the recursion for the rulings $w_i=d_i-c_i$:
     $(M^{*}-u_i)w_{i+1}=(M^{*}-u_{i+n})w_i+(\Lambda^{*}-M^{*})(c_{i+1}-c_i)$ is equation (13). *)
 Theorem FJ07_13_rulings u n L M c d i : cell u n L M c d i <->

@@ -8,6 +8,13 @@
      developable c d        [d', c', d - c] is the zero polynomial *)
 From Torse Require Import Prelude Blossom Curves.
 
+(* Two equations say the same where the difference of the sides of the one is that of the other. *)
+Lemma eq_of_diff (U : zmodType) (a b a' b' : U) : a - b = b' - a' -> a = b <-> a' = b'.
+Proof.
+move=> e; split=> h; apply/eqP; first by rewrite eq_sym -subr_eq0 -e h subrr.
+by rewrite -subr_eq0 e h subrr.
+Qed.
+
 Section Vectors.
 Variables (R : comUnitRingType) (m : nat).
 Implicit Types (u : nat -> R) (c : nat -> 'rV[R]_m).

@@ -37,23 +37,29 @@ Implicit Types (p tau : nat -> 'rV[F]_m) (n i : nat) (rho s : F).
 
 Definition rate n p i := (n - i)%:R *: (p i.+1 - p i) + i%:R *: (p i - prev p i) : 'rV[F]_m.
 
-Lemma eq_of_diff (a b a' b' : 'rV[F]_m) : a - b = b' - a' -> a = b <-> a' = b'.
-Proof.
-move=> e; split=> h; apply/eqP; first by rewrite eq_sym -subr_eq0 -e h subrr.
-by rewrite -subr_eq0 e h subrr.
-Qed.
-
 Lemma pderiv_rate n p : pderiv (pbez n p) = pbez n (rate n p).
 Proof. exact: deriv_pbez. Qed.
+
+(** ZW06.17 solves: $\tau_i=(n-i)\Delta p_i+i\Delta p_{i-1}$ gives $a'=\tau$, in every field. *)
+Theorem ZW06_17_solves n p tau : (forall i, (i <= n)%N -> tau i = rate n p i) -> pderiv (pbez n p) = pbez n tau.
+Proof. by move=> e; rewrite pderiv_rate; apply: pbez_ext => i /e. Qed.
 
 (** ZW06.17 unique: $a'=\tau$ ($a=1$, $b=0$) iff $\tau_i=(n-i)\Delta p_i+i\Delta p_{i-1}$.
     Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
 Theorem ZW06_17_unique n p tau : independent F n ->
   pderiv (pbez n p) = pbez n tau <-> forall i, (i <= n)%N -> tau i = rate n p i.
+Proof. by move=> g; split=> [|/ZW06_17_solves //]; rewrite pderiv_rate pbez_inj // => e i /e. Qed.
+
+Lemma recursion16 n p tau i : rate n p i = 2%:R *: tau i + i%:R *: (tau i - prev tau i) <-> (i + 2)%:R *: tau i = rate n p i + i%:R *: prev tau i.
 Proof.
-move=> g; rewrite pderiv_rate pbez_inj //.
-by split=> e i le_i; rewrite e.
+by apply: eq_of_diff; apply/rowP=> k; rewrite natrD !mxE;
+  move: (rate n p i 0 k) (tau i 0 k) (prev tau i 0 k) (i%:R) => r x y j; ring.
 Qed.
+
+(** ZW06.16 solves: the recursion $(i+2)\tau_i=(n-i)\Delta p_i+i\Delta p_{i-1}+i\tau_{i-1}$ gives $a'=2\tau+u\tau'$, in every field. *)
+Theorem ZW06_16_solves n p tau : (forall i, (i <= n)%N -> (i + 2)%:R *: tau i = rate n p i + i%:R *: prev tau i) ->
+  pderiv (pbez n p) = 2%:R%:P *: pbez n tau + 'X *: pderiv (pbez n tau).
+Proof. by move=> e; rewrite pderiv_rate X_deriv_pbez pbez_scale pbez_add; apply: pbez_ext => i /e/recursion16. Qed.
 
 (** ZW06.16 recursion: $a'=2\tau+u\tau'$ iff $(i+2)\tau_i=(n-i)\Delta p_i+i\Delta p_{i-1}+i\tau_{i-1}$.
     Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
@@ -61,12 +67,20 @@ Theorem ZW06_16_recursion n p tau : independent F n ->
   pderiv (pbez n p) = 2%:R%:P *: pbez n tau + 'X *: pderiv (pbez n tau) <->
   forall i, (i <= n)%N -> (i + 2)%:R *: tau i = rate n p i + i%:R *: prev tau i.
 Proof.
-move=> g; rewrite pderiv_rate X_deriv_pbez pbez_scale pbez_add pbez_inj //.
-suff eq i : rate n p i = 2%:R *: tau i + i%:R *: (tau i - prev tau i) <-> (i + 2)%:R *: tau i = rate n p i + i%:R *: prev tau i.
-  by split=> e i /e/eq.
-by apply: eq_of_diff; apply/rowP=> k; rewrite natrD !mxE;
-  move: (rate n p i 0 k) (tau i 0 k) (prev tau i 0 k) (i%:R) => r x y j; ring.
+by move=> g; split=> [|/ZW06_16_solves //]; rewrite pderiv_rate X_deriv_pbez pbez_scale pbez_add pbez_inj // => e i /e/recursion16.
 Qed.
+
+Lemma recursion18 p tau i : i%:R *: (p i - prev p i) = tau i + i%:R *: (tau i - prev tau i) <->
+  i.+1%:R *: tau i = i%:R *: (p i - prev p i + prev tau i).
+Proof.
+by apply: eq_of_diff; apply/rowP=> k; rewrite -[i.+1]addn1 natrD !mxE;
+  move: (p i 0 k) (prev p i 0 k) (tau i 0 k) (prev tau i 0 k) (i%:R) => p1 p0 x y j; ring.
+Qed.
+
+(** ZW06.18 solves: the recursion $(i+1)\tau_i=i(\Delta p_{i-1}+\tau_{i-1})$ gives $u\,a'=\tau+u\tau'$, in every field. *)
+Theorem ZW06_18_solves n p tau : (forall i, (i <= n)%N -> i.+1%:R *: tau i = i%:R *: (p i - prev p i + prev tau i)) ->
+  'X *: pderiv (pbez n p) = pbez n tau + 'X *: pderiv (pbez n tau).
+Proof. by move=> e; rewrite !X_deriv_pbez pbez_add; apply: pbez_ext => i /e/recursion18. Qed.
 
 (** ZW06.18 recursion: $u\,a'=\tau+u\tau'$ ($a=1/u$, $b=1$) iff $q_0=p_0$ and $q_i=p_i+\frac{i}{i+1}(p_i+q_{i-1}-2p_{i-1})$, that is
     $(i+1)\tau_i=i(\Delta p_{i-1}+\tau_{i-1})$.
@@ -75,11 +89,16 @@ Theorem ZW06_18_recursion n p tau : independent F n ->
   'X *: pderiv (pbez n p) = pbez n tau + 'X *: pderiv (pbez n tau) <->
   forall i, (i <= n)%N -> i.+1%:R *: tau i = i%:R *: (p i - prev p i + prev tau i).
 Proof.
-move=> g; rewrite !X_deriv_pbez pbez_add pbez_inj //.
-suff eq i : i%:R *: (p i - prev p i) = tau i + i%:R *: (tau i - prev tau i) <-> i.+1%:R *: tau i = i%:R *: (p i - prev p i + prev tau i).
-  by split=> e i /e/eq.
-by apply: eq_of_diff; apply/rowP=> k; rewrite -[i.+1]addn1 natrD !mxE;
-  move: (p i 0 k) (prev p i 0 k) (tau i 0 k) (prev tau i 0 k) (i%:R) => p1 p0 x y j; ring.
+by move=> g; split=> [|/ZW06_18_solves //]; rewrite !X_deriv_pbez pbez_add pbez_inj // => e i /e/recursion18.
+Qed.
+
+(** ZW06.12 solves: a row with $\Delta\tau_i=(\rho-1)\Delta p_i$, such as $q_i=q_0+\rho(p_i-p_0)$, has $(\rho-1)a'=\tau'$, in every field. *)
+Theorem ZW06_12_solves n p tau rho : (forall i, (i < n)%N -> tau i.+1 - tau i = (rho - 1) *: (p i.+1 - p i)) ->
+  (rho - 1)%:P *: pderiv (pbez n p) = pderiv (pbez n tau).
+Proof.
+move=> e; rewrite !pderiv_rate pbez_scale; apply: pbez_ext => i le_i; rewrite /rate scalerDr !scalerA ![(rho - 1) * _]mulrC -!scalerA.
+congr (_ + _); first by have [lt_i|ge_i] := ltnP i n; [rewrite e | rewrite (_ : n - i = 0)%N ?scale0r //; lia].
+by case: i le_i => [|i] lt_i; rewrite ?scale0r // /prev e.
 Qed.
 
 (** ZW06.12 unique: $(\rho-1)a'=\tau'$ ($a=0$, $b=1/(\rho-1)$, a cone) iff $q_i=q_0+\rho(p_i-p_0)$.
@@ -111,14 +130,9 @@ have -> : tau i = p 0%N + tau 0%N + rho *: (p i - p 0%N) - p i by rewrite -e add
 by apply/rowP=> k; rewrite !mxE; move: (p i 0 k) (p 0%N 0 k) (tau 0%N 0 k) => p1 p0 x; ring.
 Qed.
 
-(** ZW06.13 unique: $a'=s\tau+su\tau'$ ($a=s$, $b=su$, the cone with vertex $p_0$) iff
-    $(i+1)s\tau_i=(n-i)p_{i+1}+(i+1)p_i-(n+1)p_0$; for $i=n$ this is $q_n=p_n+(p_n-p_0)/s$.
-    Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
-Theorem ZW06_13_unique n p tau s : independent F n ->
-  pderiv (pbez n p) = s%:P *: pbez n tau + s%:P *: ('X *: pderiv (pbez n tau)) <->
+Lemma recursion13 n p tau s : (forall i, (i <= n)%N -> rate n p i = s *: tau i + s *: (i%:R *: (tau i - prev tau i))) <->
   forall i, (i <= n)%N -> (i.+1%:R * s) *: tau i = (n - i)%:R *: p i.+1 + i.+1%:R *: p i - n.+1%:R *: p 0%N.
 Proof.
-move=> g; rewrite pderiv_rate X_deriv_pbez !pbez_scale pbez_add pbez_inj //.
 pose S i := (i.+1%:R * s) *: tau i; pose T i := (n - i)%:R *: p i.+1 + i.+1%:R *: p i - n.+1%:R *: p 0%N.
 have T0 : T 0%N = n%:R *: (p 1%N - p 0%N).
   by apply/rowP=> k; rewrite /T subn0 -[n.+1]addn1 natrD !mxE; move: (p 1%N 0 k) (p 0%N 0 k) (n%:R) => p1 p0 j; ring.
@@ -140,7 +154,32 @@ case=> [|i] lt_i; rewrite Sr hs //; first by rewrite subr0 T0 /rate subn0 scale0
 by rewrite hs ?Tr // ltnW.
 Qed.
 
+(** ZW06.13 solves: a row with $(i+1)s\tau_i=(n-i)p_{i+1}+(i+1)p_i-(n+1)p_0$ has $a'=s\tau+su\tau'$, in every field. *)
+Theorem ZW06_13_solves n p tau s :
+  (forall i, (i <= n)%N -> (i.+1%:R * s) *: tau i = (n - i)%:R *: p i.+1 + i.+1%:R *: p i - n.+1%:R *: p 0%N) ->
+  pderiv (pbez n p) = s%:P *: pbez n tau + s%:P *: ('X *: pderiv (pbez n tau)).
+Proof. by move/recursion13=> e; rewrite pderiv_rate X_deriv_pbez !pbez_scale pbez_add; apply: pbez_ext. Qed.
+
+(** ZW06.13 unique: $a'=s\tau+su\tau'$ ($a=s$, $b=su$, the cone with vertex $p_0$) iff
+    $(i+1)s\tau_i=(n-i)p_{i+1}+(i+1)p_i-(n+1)p_0$; for $i=n$ this is $q_n=p_n+(p_n-p_0)/s$.
+    Hypotheses: no binomial coefficient $C(n,i)$ vanishes in the field, as in characteristic 0. *)
+Theorem ZW06_13_unique n p tau s : independent F n ->
+  pderiv (pbez n p) = s%:P *: pbez n tau + s%:P *: ('X *: pderiv (pbez n tau)) <->
+  forall i, (i <= n)%N -> (i.+1%:R * s) *: tau i = (n - i)%:R *: p i.+1 + i.+1%:R *: p i - n.+1%:R *: p 0%N.
+Proof. by move=> g; rewrite pderiv_rate X_deriv_pbez !pbez_scale pbez_add pbez_inj //; exact: recursion13. Qed.
+
 Definition gap p tau rho s i : 'rV[F]_m := (rho - 1) *: (p i.+1 - p i) - (tau i.+1 - s *: tau i).
+
+Lemma recursion19 n p tau rho s i : (i <= n)%N ->
+  (rho - 1) *: rate n p i = (n%:R * (1 - s)) *: tau i + ((n - i)%:R *: (tau i.+1 - tau i) + s *: (i%:R *: (tau i - prev tau i)))
+  <-> (n - i)%:R *: gap p tau rho s i + i%:R *: prev (gap p tau rho s) i = 0.
+Proof.
+move=> le_i; apply: (iff_trans (B := 0 = (n - i)%:R *: gap p tau rho s i + i%:R *: prev (gap p tau rho s) i)); last by split=> ->.
+apply: eq_of_diff; rewrite /rate /gap /prev -{2}(subnK le_i) natrD; case: i {le_i} => [|i] /=.
+  by apply/rowP=> k; rewrite subn0 !mxE; move: (p 1%N 0 k) (p 0%N 0 k) (tau 1%N 0 k) (tau 0%N 0 k) (n%:R) => p1 p0 x1 x0 j; ring.
+apply/rowP=> k; rewrite !mxE; move: (p i.+2 0 k) (p i.+1 0 k) (p i 0 k) (tau i.+2 0 k) (tau i.+1 0 k) (tau i 0 k) (i.+1%:R) ((n - i.+1)%:R).
+by move=> p2 p1 p0 x2 x1 x0 j l; ring.
+Qed.
 
 (** ZW06.19 system: $a'=a\tau+b\tau'$ with $a=\frac{n(1-s)}{\rho-1}$, $b=\frac{1-u+su}{\rho-1}$, here without the denominator, iff
     $(n-i)g_i+ig_{i-1}=0$, $i=0..n$, for the defects $g_i=(\rho-1)\Delta p_i-(\tau_{i+1}-s\tau_i)$ of (20).
@@ -151,15 +190,24 @@ Theorem ZW06_19_system n p tau rho s : independent F n ->
   forall i, (i <= n)%N -> (n - i)%:R *: gap p tau rho s i + i%:R *: prev (gap p tau rho s) i = 0.
 Proof.
 move=> ind; rewrite pderiv_rate X_deriv_pbez Y_deriv_pbez !pbez_scale !pbez_add pbez_inj //.
-suff eqi i : (i <= n)%N -> (rho - 1) *: rate n p i = (n%:R * (1 - s)) *: tau i
-    + ((n - i)%:R *: (tau i.+1 - tau i) + s *: (i%:R *: (tau i - prev tau i)))
-    <-> (n - i)%:R *: gap p tau rho s i + i%:R *: prev (gap p tau rho s) i = 0.
-  by split=> h i le_i; [apply/eqi/h | apply/(eqi _ le_i)/h].
-move=> le_i; apply: (iff_trans (B := 0 = (n - i)%:R *: gap p tau rho s i + i%:R *: prev (gap p tau rho s) i)); last by split=> ->.
-apply: eq_of_diff; rewrite /rate /gap /prev -{2}(subnK le_i) natrD; case: i {le_i} => [|i] /=.
-  by apply/rowP=> k; rewrite subn0 !mxE; move: (p 1%N 0 k) (p 0%N 0 k) (tau 1%N 0 k) (tau 0%N 0 k) (n%:R) => p1 p0 x1 x0 j; ring.
-apply/rowP=> k; rewrite !mxE; move: (p i.+2 0 k) (p i.+1 0 k) (p i 0 k) (tau i.+2 0 k) (tau i.+1 0 k) (tau i 0 k) (i.+1%:R) ((n - i.+1)%:R).
-by move=> p2 p1 p0 x2 x1 x0 j l; ring.
+by split=> h i le_i; [apply/recursion19/h | apply/(recursion19 _ _ _ _ le_i)/h].
+Qed.
+
+Lemma gap0 p tau rho s i (q := fun i => p i + tau i) :
+  gap p tau rho s i = 0 <-> q i.+1 = p i + rho *: (p i.+1 - p i) + s *: (q i - p i).
+Proof. by apply: eq_of_diff; rewrite /q /gap; by_entries k; ring. Qed.
+
+(** ZW06.20 solves: Aumann's row $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$, $i=0..n-1$, obeys the equation of (19), without its denominator, in every field. *)
+Theorem ZW06_20_solves n p tau rho s (q := fun i => p i + tau i) :
+  (forall i, (i < n)%N -> q i.+1 = p i + rho *: (p i.+1 - p i) + s *: (q i - p i)) ->
+  (rho - 1)%:P *: pderiv (pbez n p) =
+    (n%:R * (1 - s))%:P *: pbez n tau + ((1 - 'X) *: pderiv (pbez n tau) + s%:P *: ('X *: pderiv (pbez n tau))).
+Proof.
+move=> h; rewrite pderiv_rate X_deriv_pbez Y_deriv_pbez !pbez_scale !pbez_add; apply: pbez_ext => i le_i; apply/recursion19 => //.
+have none j : (j < n)%N -> gap p tau rho s j = 0 by move/h/gap0.
+have -> : (n - i)%:R *: gap p tau rho s i = 0.
+  by have [/none->|ge_i] := ltnP i n; [rewrite scaler0 | rewrite (_ : n - i = 0)%N ?scale0r //; lia].
+by rewrite add0r; case: i le_i => [|i] lt_i; rewrite ?scale0r // /prev none ?scaler0.
 Qed.
 
 (** ZW06.20 unique: the equation of (19), without its denominator, holds iff $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$ (Aumann), $i=0..n-1$.
@@ -170,14 +218,7 @@ Theorem ZW06_20_unique n p tau rho s (q := fun i => p i + tau i) : good F n ->
     (n%:R * (1 - s))%:P *: pbez n tau + ((1 - 'X) *: pderiv (pbez n tau) + s%:P *: ('X *: pderiv (pbez n tau))) <->
   forall i, (i < n)%N -> q i.+1 = p i + rho *: (p i.+1 - p i) + s *: (q i - p i).
 Proof.
-move=> g; rewrite (ZW06_19_system _ _ _ _ (good_independent g)).
-have gap0 i : gap p tau rho s i = 0 <-> q i.+1 = p i + rho *: (p i.+1 - p i) + s *: (q i - p i).
-  by apply: eq_of_diff; rewrite /q /gap; by_entries k; ring.
-split=> h; last first.
-  case=> [|i] le_i; rewrite /prev /= ?(iffRL (gap0 i)) ?scaler0 ?addr0 ?h //.
-    by rewrite scale0r addr0; case: (n) h => [|k] h; rewrite ?scale0r // (iffRL (gap0 _)) ?scaler0 ?h.
-  have [lt_i|le_n] := ltnP i.+1 n; first by rewrite (iffRL (gap0 _)) ?scaler0 ?h.
-  by rewrite (_ : n - i.+1 = 0)%N ?scale0r //; lia.
+move=> g; split=> [|/ZW06_20_solves //]; rewrite (ZW06_19_system _ _ _ _ (good_independent g)) => h.
 suff all0 i : (i < n)%N -> gap p tau rho s i = 0 by move=> i /all0/gap0.
 elim: i => [|i ih] lt_i; have := h _ (ltnW lt_i); rewrite /prev /= ?ih 1?ltnW // ?scaler0 ?scale0r addr0 => /eqP;
   by rewrite scaler_eq0 (negPf (good_nat g _)) => [/eqP|]; last by lia.
