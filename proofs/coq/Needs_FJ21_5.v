@@ -1,6 +1,34 @@
 (* FJ21, section 5: what happens without the hypotheses of the theorems, one counterexample each. The first are values at one parameter, as in Needs_FJ21.v. *)
 From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ21_4 FJ21_5 FJ21_5_changes Insertion Needs_blossoms Needs_FJ21.
 
+Section Sides.
+Variable F : fieldType.
+Implicit Types (a b k x : F) (A B C D : 'rV[F]_3).
+
+(* The sides of a relation at t = 0, at once: quicker than part by part. *)
+Lemma side_jet k A B x : ev (jet A B) 0 + ((x - 0) * k) *: ev (pderiv (jet A B)) 0 = A + (x * k) *: B.
+Proof. by rewrite ev_jet ev_pderiv_jet scale0r addr0 subr0. Qed.
+
+Lemma ev_linear a b A B : ev (linear a b *: jet A B) 0 = a *: A.
+Proof. by rewrite ev_scale ev_jet FJ21_5.linearE mulr0 scale0r !addr0. Qed.
+
+Lemma ev_pderiv_linear a b A B : ev (pderiv (linear a b *: jet A B)) 0 = b *: A + a *: B.
+Proof. by rewrite ev_pderiv_scale ev_jet ev_pderiv_jet FJ21_5.linearE deriv_linear hornerC mulr0 scale0r !addr0. Qed.
+
+Lemma side_linear k a b A B x :
+  ev (linear a b *: jet A B) 0 + ((x - 0) * k) *: ev (pderiv (linear a b *: jet A B)) 0 = a *: A + (x * k) *: (b *: A + a *: B).
+Proof. by rewrite ev_linear ev_pderiv_linear subr0. Qed.
+
+Lemma side_lengths k a b a' b' A B C D x (r := linear a b *: jet A B + linear a' b' *: (jet C D - jet A B)) :
+  ev r 0 + ((x - 0) * k) *: ev (pderiv r) 0 = a *: A + a' *: (C - A) + (x * k) *: (b *: A + a *: B + (b' *: (C - A) + a' *: (D - B))).
+Proof.
+rewrite /r !(evD, ev_pderivD) ev_linear ev_pderiv_linear ev_scale ev_pderiv_scale !(evD, ev_pderivD, evN, ev_pderivN, ev_jet, ev_pderiv_jet).
+by rewrite FJ21_5.linearE deriv_linear hornerC mulr0 !scale0r !addr0 subr0.
+Qed.
+End Sides.
+
+Ltac at_zero := rewrite /related_at /related_with /tangent ?(side_lengths, side_linear, side_jet) ?FJ21_5.linearE /e1 /e2 /e3.
+
 Section Needs.
 Variable F : fieldType.
 Notation e1 := (e1 F).
@@ -22,7 +50,7 @@ Qed.
 Theorem FJ21_5_3_needs_degree n (p := jet 0 e1) (q := jet e1 0) : n%:R = 0 :> F ->
   related_at n.+1 (linear 1 0 *: p) (linear 1 0 *: q) 0 1 0 1 /\ forall k, ~ related_with k p q 0 0 0 1.
 Proof.
-rewrite /p /q => n0; split=> [|k]; at_jets; rewrite ?natrS ?n0 ?add0r ?invr1; first by by_coords; ring.
+rewrite /p /q => n0; split=> [|k]; at_zero; rewrite ?natrS ?n0 ?add0r ?invr1; first by by_coords; ring.
 by split_coords => h1 _ _; refute (-1 : F) h1.
 Qed.
 
@@ -33,7 +61,7 @@ Theorem FJ21_5_3_needs_next n (f := linear 1 1) (p := jet e1 (- e1)) (q := jet e
     & forall k, ~ related_with k (f *: p) (f *: q) 0 1 1 1].
 Proof.
 rewrite /f /p /q => n1; have nN : n%:R = -1 :> F by apply/eqP; rewrite -addr_eq0 -natrS n1.
-split=> [||k]; at_jets; rewrite ?nN ?invrN ?invr1; [by ring | by by_coords; ring |].
+split=> [||k]; at_zero; rewrite ?nN ?invrN ?invr1; [by ring | by by_coords; ring |].
 by split_coords => h1 _ _; refute (1 : F) h1.
 Qed.
 
@@ -43,7 +71,7 @@ Qed.
 Theorem FJ21_5_3_needs_H n (p := jet e1 (- e2)) (q := jet e2 0) : n.+1%:R != 0 :> F ->
   related_at n.+1 (linear 1 1 *: p) (linear 1 0 *: q) 0 (- n.+1%:R) 0 1 /\ forall L M s, ~ related_at n p q 0 L M s.
 Proof.
-rewrite /p /q => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
+rewrite /p /q => n1; split=> [|L M s]; at_zero; first by rewrite mulNr mulfV //; by_coords; ring.
 by split_coords => h1 _ _; refute (1 : F) h1.
 Qed.
 
@@ -52,7 +80,7 @@ Qed.
 Theorem FJ21_5_3_needs_G n (p := jet e2 0) (q := jet e1 (- e2)) : n.+1%:R != 0 :> F ->
   related_at n.+1 (linear 1 0 *: p) (linear 1 1 *: q) 0 0 (- n.+1%:R) 1 /\ forall L M s, ~ related_at n p q 0 L M s.
 Proof.
-rewrite /p /q => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
+rewrite /p /q => n1; split=> [|L M s]; at_zero; first by rewrite mulNr mulfV //; by_coords; ring.
 split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h1); ring.
 by rewrite s0 in h2; refute (1 : F) h2.
 Qed.
@@ -81,7 +109,7 @@ Qed.
 Theorem FJ21_5_4_needs_degree n (p := jet 0 e1) (q := jet e1 0) (f := linear 1 0) : n%:R = 0 :> F ->
   related_at n.+1 (f *: p) (f *: p + f *: (q - p)) 0 1 0 1 /\ forall k, ~ related_with k p q 0 0 0 1.
 Proof.
-rewrite /p /q /f => n0; split=> [|k]; at_jets; rewrite ?natrS ?n0 ?add0r ?invr1; first by by_coords; ring.
+rewrite /p /q /f => n0; split=> [|k]; at_zero; rewrite ?natrS ?n0 ?add0r ?invr1; first by by_coords; ring.
 by split_coords => h1 _ _; refute (-1 : F) h1.
 Qed.
 
@@ -91,7 +119,7 @@ Theorem FJ21_5_4_needs_next n (f := linear 1 1) (p := jet e1 (- e1)) (q := jet e
   [/\ n%:R * f.[0] + f.[1] = 1, related_at n p q 0 (-1) (-1) 1 & forall k, ~ related_with k (f *: p) (f *: p + f *: (q - p)) 0 1 1 1].
 Proof.
 rewrite /f /p /q => n1; have nN : n%:R = -1 :> F by apply/eqP; rewrite -addr_eq0 -natrS n1.
-split=> [||k]; at_jets; rewrite ?nN ?invrN ?invr1; [by ring | by by_coords; ring |].
+split=> [||k]; at_zero; rewrite ?nN ?invrN ?invr1; [by ring | by by_coords; ring |].
 by split_coords => h1 _ _; refute (1 : F) h1.
 Qed.
 
@@ -101,7 +129,7 @@ Qed.
 Theorem FJ21_5_4_needs_H n (p := jet e1 (- e2)) (q := jet e2 0) (f := linear 1 1) (g := linear 1 0) : n.+1%:R != 0 :> F ->
   related_at n.+1 (f *: p) (f *: p + g *: (q - p)) 0 (- n.+1%:R) 0 1 /\ forall L M s, ~ related_at n p q 0 L M s.
 Proof.
-rewrite /p /q /f /g => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
+rewrite /p /q /f /g => n1; split=> [|L M s]; at_zero; first by rewrite mulNr mulfV //; by_coords; ring.
 by split_coords => h1 _ _; refute (1 : F) h1.
 Qed.
 
@@ -110,7 +138,7 @@ Qed.
 Theorem FJ21_5_4_needs_G n (p := jet e1 0) (q := jet (e1 + e2) (- e1)) (f := linear 0 1) (g := linear 1 1) : n.+1%:R != 0 :> F ->
   related_at n.+1 (f *: p) (f *: p + g *: (q - p)) 0 0 (- n.+1%:R) 1 /\ forall L M s, ~ related_at n p q 0 L M s.
 Proof.
-rewrite /p /q /f /g => n1; split=> [|L M s]; at_jets; first by rewrite !subr0 mulNr mulfV //; by_coords; ring.
+rewrite /p /q /f /g => n1; split=> [|L M s]; at_zero; first by rewrite mulNr mulfV //; by_coords; ring.
 split_coords => h1 h2 _; have s0 : s = 0 by apply: (by_multiple (z := -1) h2); ring.
 by rewrite s0 in h1; refute (1 : F) h1.
 Qed.
