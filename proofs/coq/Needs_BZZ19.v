@@ -11,14 +11,15 @@ Section Field.
 Variable F : fieldType.
 Implicit Types (c d u b : nat -> F) (n k i : nat) (p : {poly F}).
 
-(** BZZ19.4 needs_span: over the knots $0,1,0,0$ of degree 2, where $u_2=u_0$, the points $0,1,0$ give $(1-t)t$ and the rule the
-    derivative $2(1-t)$. *)
-Theorem BZZ19_4_needs_span b (u := bent F) : b 1%N = 1 -> b 2%N = 0 ->
-  (curve 2 u b)^`() <> curve 1 (shift u) (slope 2 u b) *+ 2.
+(** BZZ19.4 needs_span: over the knots $0,1,0,0$ of degree 2, where $u_2=u_0$, the coefficients $\sigma_1=1$, $\sigma_2=0$ give the slope 1 at $t=0$ and the rule gives 2, whatever
+    stands for $\frac10$. *)
+Theorem BZZ19_4_needs_span (k : F) b (u := bent F) : b 1%N = 1 -> b 2%N = 0 ->
+  (curve_with k 2 u b)^`() <> curve_with k 1 (shift u) (fun i => divided k (b i.+1 - b i) (u (i + 2)%N - u i)) *+ 2.
 Proof.
-move=> b1 b2; rewrite -velocity_slope bent_curve bent_velocity b1 b2 polyC0 polyC1 mul0r addr0 mul1r subr0 mulr1.
-move/(congr1 (fun p => p.[0])); rewrite mulr2n derivM derivB derivX derivC sub0r !hornerE /=.
-by move/eqP; rewrite !subr0 eq_sym -subr_eq0 addrK oner_eq0.
+move=> b1 b2; rewrite /u bent_curve b1 b2 /curve_with /= /step_with /polys /shift /bent /listed /= polyC0 polyC1 (dividedN1 _ _ (sub0r 1)) b1 b2.
+rewrite (dividedN1 _ (0 - 1) (sub0r 1)) !sub0r opprK polyC1 !mul0r addr0.
+move/(congr1 (fun p => p.[0])); rewrite mulr2n !(derivM, derivB, derivD, derivX, derivC) !(hornerM, hornerD, hornerN, hornerC, hornerX) => /eqP.
+by rewrite -subr_eq0 (_ : _ - _ = -1) ?oppr_eq0 ?oner_eq0 //; ring.
 Qed.
 
 (* The coefficient of X^k (1-X)^(n-k) in X^k is 1. *)
@@ -86,12 +87,12 @@ Proof.
 rewrite /sigma square derivXn hornerMn !hornerXn expr1 sqrrN expr1n expr0n mulNrn; by split.
 Qed.
 
-(** BZZ19.5 slope_needs_span: over the knots $1,0,1,1$ of degree 2, where $u_2=u_0$, the coefficients $-1,-1,-1$ would give $\sigma=-t$, when
-    $x/0=0$, though they do not fall. *)
-Theorem BZZ19_5_slope_needs_span : curve 2 (listed [:: 1; 0; 1; 1]) (fun=> -1 : F) = - 'X.
+(** BZZ19.5 slope_needs_span: over the knots $1,0,1,1$ of degree 2, where $u_2=u_0$, the coefficients $-1,-1,-1$, which do not fall, would give $\sigma=-t$, whatever stands
+    for $\frac10$. *)
+Theorem BZZ19_5_slope_needs_span (k : F) : curve_with k 2 (listed [:: 1; 0; 1; 1]) (fun=> -1 : F) = - 'X.
 Proof.
-rewrite /curve /= /step /shift /polys /listed /= polyC0 polyC1 !subrr !invr0 !mulr0 !mul1r add0r !subr0 !divr1 polyCN polyC1.
-by rewrite !mulrN1 -opprD subrK mulrN1.
+rewrite /curve_with /= /step_with /shift /polys /listed /= polyC0 polyC1 polyCN polyC1 (divided0 _ _ (subrr 1)) !(divided1 _ _ (subr0 1)).
+by move: 'X => X; ring.
 Qed.
 
 Definition loop_x : {poly F} := ('X - 1) * ('X - 3%:R%:P).

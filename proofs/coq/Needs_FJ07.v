@@ -127,14 +127,17 @@ Proof. by move=> e; rewrite {1}e mul0r -e /D; ring. Qed.
 Theorem FJ07_18_cone_needs_denominator a b p q mu : D a b p 1 = 0 -> D a b p 1 * mu = p - q + 1 * (q - a).
 Proof. by move=> e; rewrite {1}e mul0r -e /D; ring. Qed.
 
-(** FJ07.T1 needs_span: on an empty piece the relation says nothing and (13) may fail: $n=1$, $u_0=u_1=0$, $\Lambda^{*}=1$, $M^{*}=0$. *)
-Theorem FJ07_T1_needs_span (c := on_line [:: 1]) (d := on_line [::]) :
-  related (listed [::]) 1 1 0 c d /\ ~ cell (listed [::]) 1 1 0 c d 0.
+(** FJ07.T1 needs_span: over the knots $0,1,1,2$, an empty piece of degree 2, the blossoms of the points $1,1,1$ and of $0,0,0$ are 0 whatever stands for $\frac10$, so that
+    the relation holds for all $\Lambda^{*}$, $M^{*}$, and (13) fails. *)
+Theorem FJ07_T1_needs_span L M (u := listed [:: 0; 1; 1; 2%:R]) (c := on_line [:: 1; 1; 1]) (d := on_line [::]) :
+  (forall (k : F) (x : F * F), pblossom_with k u c [:: at_ L; x] = pblossom_with k u d [:: at_ M; x]) /\ ~ cell u 2 L M c d 0.
 Proof.
-split=> [[|//] _|].
-  by rewrite line1 !mxE /= /step /listed !nth_nil subrr invr0 !mulr0.
-rewrite /cell line1 !mxE /= /listed /= => /eqP.
-by rewrite !sub0r !subr0 !mulr0 !addr0 mulr1 oppr_eq0 oner_eq0.
+split=> [k x|]; last first.
+  rewrite /cell line1 !mxE /= /u /listed /= => /eqP.
+  by rewrite !mulr0 !mulr1 addr0 subr0 subrK oner_eq0.
+rewrite line1 !mxE /= /step_with /u /listed /coord /shift !mxE /= subr0 (divided0 _ _ (subrr 1)) (divided0 k (_ + _) (subrr 1)).
+rewrite !(divided1 _ _ (erefl (1 : F))) (_ : 2%:R - 1 = 1) ?mulr2n ?addrK // !(divided1 _ _ (erefl (1 : F))).
+by move: x.1 x.2 => y w; ring.
 Qed.
 
 (** FJ07.C2 needs_cover: where a cell belongs to no piece that is not empty, the pieces are related and (13) fails: $n=1$, $N=2$,

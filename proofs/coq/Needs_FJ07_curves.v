@@ -31,22 +31,23 @@ End Curves.
 Section Bent.
 Variable F : fieldType.
 Notation bent := (bent F).
+Implicit Types (k : F) (c : nat -> 'rV[F]_3).
 Definition bent_c i : 'rV[F]_3 := nth 0 [:: 0; vec 0 1 0; vec 1 0 0] i.
-Definition bent_d i : 'rV[F]_3 := nth 0 [:: 0; vec 1 0 0; vec 0 0 1] i.
+Definition bent_d i : 'rV[F]_3 := nth 0 [:: vec 1 0 0; vec 1 0 0; vec 0 0 1] i.
 
-Lemma bent_related : related bent 2 0 1 bent_c bent_d.
+Lemma bent_related k x : pblossom_with k bent bent_c [:: at_ 0; x] = pblossom_with k bent bent_d [:: at_ 1; x].
 Proof.
-case=> [|x [|//]] // _; apply/rowP=> k; rewrite !mxE !bent_blossom; congr (_ * _).
-by rewrite subrr subr0 !mul0r !mul1r add0r addr0.
+apply/rowP=> j; rewrite !mxE !bent_blossom /coord /bent_c /bent_d /=; hide_entries.
+by move=> *; ring.
 Qed.
 
-Lemma bent_pcurve (c : nat -> 'rV[F]_3) (f := fun i : 'I_3 => (1 - 'X) * ((c 1%N 0 i)%:P * 'X + (c 2%N 0 i)%:P * (1 - 'X))) :
-  pcurve 2 bent c = \row_i f i.
-Proof. by apply/rowP=> k; rewrite !mxE bent_curve. Qed.
+Lemma bent_pcurve k c : pcurve_with k 2 bent c
+  = \row_j ('X * ('X * (c 1%N 0 j - c 0%N 0 j)%:P * k%:P) + (1 - 'X) * ((c 1%N 0 j)%:P * 'X + (c 2%N 0 j)%:P * (1 - 'X))).
+Proof. by apply/rowP=> j; rewrite !mxE bent_curve. Qed.
 
-Lemma bent_pvelocity (c : nat -> 'rV[F]_3) (f := fun i : 'I_3 => (1 - 'X) * ((c 1%N 0 i)%:P - (c 2%N 0 i)%:P)) :
-  pvelocity 2 bent c = \row_i f i.
-Proof. by apply/rowP=> k; rewrite !mxE bent_velocity. Qed.
+Lemma bent_pvelocity k c : pvelocity_with k 2 bent c
+  = \row_j ('X * ((c 1%N 0 j - c 0%N 0 j)%:P * k%:P) + (1 - 'X) * ((c 1%N 0 j)%:P - (c 2%N 0 j)%:P)).
+Proof. by apply/rowP=> j; rewrite !mxE bent_velocity. Qed.
 
 (* The value at 0 of the determinant of rows of polynomials. *)
 Lemma triple_at0 (p q r : 'rV[{poly F}]_3) : (triple p q r).[0] = triple (ev p 0) (ev q 0) (ev r 0).
@@ -57,38 +58,43 @@ Qed.
 End Bent.
 
 Section Failures.
-Variable F : fieldType.
+Variables (F : fieldType) (k : F).
 
-Let rows_at0 (C := pcurve 2 (bent F) (bent_c F)) (D := pcurve 2 (bent F) (bent_d F)) :
+Let rows_at0 (C := pcurve_with k 2 (bent F) (bent_c F)) (D := pcurve_with k 2 (bent F) (bent_d F)) :
   [/\ ev (D - C) 0 = vec (-1) 0 1, ev (pderiv C) 0 = vec (-1 - 1) 1 0 & ev (pderiv D) 0 = vec 1 0 (-1 - 1)].
 Proof.
-have at0 x y : ((1 - 'X) * (x%:P * 'X + y%:P * (1 - 'X))).[0] = y :> F.
+have at0 z x y : ('X * ('X * z%:P * k%:P) + (1 - 'X) * (x%:P * 'X + y%:P * (1 - 'X))).[0] = y :> F.
   by rewrite !(hornerM, hornerD, hornerN, hornerC, hornerX); ring.
-have slope x y : ((1 - 'X) * (x%:P * 'X + y%:P * (1 - 'X)))^`().[0] = x - y - y :> F.
+have slope z x y : ('X * ('X * z%:P * k%:P) + (1 - 'X) * (x%:P * 'X + y%:P * (1 - 'X)))^`().[0] = x - y - y :> F.
   by rewrite !(derivM, derivB, derivD, derivX, derivC) !(hornerM, hornerD, hornerN, hornerC, hornerX); ring.
-rewrite /C /D !bent_pcurve; split; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE ?hornerD ?hornerN ?slope ?at0 /= ?mxE /= ?mxE /=.
+rewrite /C /D !bent_pcurve; split; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE 1?hornerD 1?hornerN ?slope ?at0 /= ?mxE /= ?mxE /=.
 all: by rewrite ?subrr ?subr0 ?sub0r ?oppr0.
 Qed.
 
-(** FJ07.3 needs_span: over such knots the determinant of the four points is 0 at $t=0$, that of the curves is not. *)
-Theorem FJ07_3_needs_span (C := pcurve 2 (bent F) (bent_c F)) (D := pcurve 2 (bent F) (bent_d F)) :
+(** FJ07.3 needs_span: over such knots, $0,1,0,0$ of degree 2, the determinant of the four points is another at $t=0$ than that of the curves, whatever stands for
+    $\frac10$. *)
+Theorem FJ07_3_needs_span (C := pcurve_with k 2 (bent F) (bent_c F)) (D := pcurve_with k 2 (bent F) (bent_d F)) :
   triple (pderiv D) (pderiv C) (D - C)
-    <> (2 ^ 2)%:R * triple (pvelocity 2 (bent F) (bent_d F)) (pvelocity 2 (bent F) (bent_c F)) (D - C).
+    <> (2 ^ 2)%:R * triple (pvelocity_with k 2 (bent F) (bent_d F)) (pvelocity_with k 2 (bent F) (bent_c F)) (D - C).
 Proof.
 move/(congr1 (fun p => p.[0])); rewrite hornerM !triple_at0; case: rows_at0 => -> -> ->.
-have -> : ev (pvelocity 2 (bent F) (bent_c F)) 0 = vec (-1) 1 0.
-  by rewrite bent_pvelocity; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE /=; ring.
-have -> : ev (pvelocity 2 (bent F) (bent_d F)) 0 = vec 1 0 (-1).
-  by rewrite bent_pvelocity; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE /= !hornerE /=; ring.
+have at0 z x y : ('X * (z%:P * k%:P) + (1 - 'X) * (x%:P - y%:P)).[0] = x - y :> F.
+  by rewrite !(hornerM, hornerD, hornerN, hornerC, hornerX); ring.
+have -> : ev (pvelocity_with k 2 (bent F) (bent_c F)) 0 = vec (-1) 1 0.
+  by rewrite bent_pvelocity; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE at0 /= ?mxE /=; ring.
+have -> : ev (pvelocity_with k 2 (bent F) (bent_d F)) 0 = vec 1 0 (-1).
+  by rewrite bent_pvelocity; apply/rowP=> -[[|[|[|//]]] ?]; rewrite !mxE at0 /= ?mxE /=; ring.
 rewrite !tripleE !vec_xyz => /eqP; rewrite -subr_eq0 (_ : _ - _ = -1) ?oppr_eq0 ?oner_eq0 //.
 by move: _.[0] => x; ring.
 Qed.
 
-(** FJ07.T1 developable_needs_span: over knots $0,1,0,0$ of degree 2 rows that obey the relation need not span a developable surface. *)
+(** FJ07.T1 developable_needs_span: over the same knots rows that obey the relation for $\Lambda^{*}=0$, $M^{*}=1$ need not span a developable surface, whatever stands for
+    $\frac10$. *)
 Theorem FJ07_T1_developable_needs_span :
-  related (bent F) 2 0 1 (bent_c F) (bent_d F) /\ ~ developable (pcurve 2 (bent F) (bent_c F)) (pcurve 2 (bent F) (bent_d F)).
+  (forall x, pblossom_with k (bent F) (bent_c F) [:: at_ 0; x] = pblossom_with k (bent F) (bent_d F) [:: at_ 1; x]) /\
+  ~ developable (pcurve_with k 2 (bent F) (bent_c F)) (pcurve_with k 2 (bent F) (bent_d F)).
 Proof.
-split; first exact: bent_related.
+split=> [x|]; first exact: bent_related.
 move/(congr1 (fun p => p.[0])); rewrite triple_at0; case: rows_at0 => -> -> ->; rewrite horner0 tripleE !vec_xyz => /eqP.
 by rewrite (_ : _ + _ = -1) ?oppr_eq0 ?oner_eq0 //; ring.
 Qed.
