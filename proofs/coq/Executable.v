@@ -3,6 +3,7 @@
    Definitions:
      scalars T        the operations of a field on T, the test of equality and the order
      points T P       the operations of a module P over T
+     itself K         the scalars as points
      of_field F lt, rows F m   the same of a field with the order lt, and of row vectors with m entries
      reason           why there is no value: the errors that the library throws
      answer A         a value or a reason
@@ -16,6 +17,7 @@ From Torse Require Import Prelude.
 Record scalars T := Scalars {
   zero : T; one : T; sadd : T -> T -> T; ssub : T -> T -> T; smul : T -> T -> T; sinv : T -> T; same : T -> T -> bool; less : T -> T -> bool}.
 Record points T P := Points {origin : P; padd : P -> P -> P; psub : P -> P -> P; pscale : T -> P -> P}.
+Definition itself T (K : scalars T) := Points (zero K) (sadd K) (ssub K) (smul K).
 
 Inductive reason := Division | Degree | Knots | Knot of nat | Vertices | At_knot | Vertex | Cell of nat | Sigma | Outside | Lambda | Weight of nat
   | Rho | Factor | Alpha | Parallel | Lengths | Equation | Directrix.

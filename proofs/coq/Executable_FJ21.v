@@ -111,17 +111,26 @@ move=> n0 n1; rewrite /unelevated_program of_natE /nonzero /= /given; case: ifP 
 rewrite -!FJ21_5.linearE in h0 k0; have := FJ21_5_3_elevation p q s n0 n1 h0 k0; by rewrite !FJ21_5.linearE.
 Qed.
 
-(** FJ21.5.3 inverse: the program of the inverse gives the functions of $fp$, $gq$ in degree $n+1$ from those of $p$, $q$, wherever it gives a value.
-    Hypotheses: $f(t)\ne0$; $n$ and $n+1$ are not 0 in the field. *)
-Theorem FJ21_5_3_inverse n p q t L M s a b a' b' L' M' s' : n%:R != 0 :> F -> n.+1%:R != 0 :> F -> a + b * t != 0 ->
-  elevated_program K n t L M s a b a' b' = Value [:: L'; M'; s'] ->
-  related_at n p q t L M s <-> related_at n.+1 (linear a b *: p) (linear a' b' *: q) t L' M' s'.
+(** FJ21.5.3 inverse: the program of the inverse gives functions of $fp$, $gq$ in degree $n+1$ where $p$, $q$ have the given ones, and conversely, wherever it gives
+    a value. Where $n$ or $n+1$ is 0 in the field, or $g(t)=0$, it gives none.
+    Hypotheses: for the converse: $f(t)\ne0$. *)
+Theorem FJ21_5_3_inverse n p q t L M s a b a' b' L' M' s' (low := related_at n p q t L M s)
+    (high := related_at n.+1 (linear a b *: p) (linear a' b' *: q) t L' M' s') :
+  elevated_program K n t L M s a b a' b' = Value [:: L'; M'; s'] -> (low -> high) /\ (a + b * t != 0 -> high -> low).
 Proof.
-move=> n0 n1 f0; rewrite /elevated_program of_natE /nonzero /= /given; case: ifP => // /andP[/andP[h0 k0] g0] [eL eM es].
+rewrite /elevated_program of_natE /nonzero /= /given; case: ifP => // /andP[/andP[h0 k0] g0] [eL eM es].
 have H : n%:R * (a + b * t) + (a + b * L') = n%:R * n.+1%:R * (a + b * t) ^+ 2 / (n%:R * (a + b * t) + b * (t - L)).
   by rewrite -eL natrS; move: (n%:R) h0 => N h0; field.
 have G : n%:R * (a' + b' * t) + (a' + b' * M') = n%:R * n.+1%:R * (a' + b' * t) ^+ 2 / (n%:R * (a' + b' * t) + b' * (t - M)).
   by rewrite -eM natrS; move: (n%:R) k0 => N k0; field.
+have [n0 n1] : n%:R != 0 :> F /\ n.+1%:R != 0 :> F.
+  by move: g0; rewrite eM G !mulf_eq0 !negb_or => /andP[/andP[/andP[-> ->]]].
+have [f0|f0] := eqVneq (a + b * t) 0.
+  split=> // _; have Lt : L' = t.
+    by rewrite -eL; apply: (mulIf h0); rewrite divfK //; apply: (by_multiple (z := (n%:R + 1) * (L - t)) f0); ring.
+  have s0 : s' = 0 by rewrite -es eL Lt f0 mulr0 addr0 mulr0 mul0r.
+  by apply/rowP=> k; rewrite !mxE hornerM FJ21_5.linearE f0 Lt s0 subrr !mul0r addr0.
+suff all : low <-> high by split=> [/all|_ /all].
 have H0 : n%:R * (a + b * t) + (a + b * L') != 0 by rewrite H mulf_neq0 ?invr_eq0 // !mulf_neq0 // expf_neq0.
 rewrite eM in g0 es; rewrite eL in es; rewrite -!FJ21_5.linearE in H0 g0; have := FJ21_5_3_elevation p q s' n0 n1 H0 g0; rewrite !FJ21_5.linearE.
 rewrite !FJ21_5.linearE in H0 g0.
@@ -131,7 +140,7 @@ have -> : (n%:R * (a' + b' * t) * M' + (a' + b' * M') * t) / (n%:R * (a' + b' * 
   apply: (mulIf g0); rewrite divfK // -eM; move: (n%:R) k0 => N k0; field; exact: k0.
 have -> : (n%:R * (a' + b' * t) + (a' + b' * M')) / (n%:R * (a + b * t) + (a + b * L')) * s' = s.
   by rewrite -es mulrCA -!mulrA; move: H0 g0; move: (_ + (a + _)) (_ + (a' + _)) => x y x0 y0; field; rewrite x0 y0.
-by move=> h; split=> /h.
+by rewrite /high => h; split=> /h.
 Qed.
 
 (** FJ21.7.1 program: the program gives a row $q$ through the first row $d$ with

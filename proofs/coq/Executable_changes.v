@@ -66,38 +66,55 @@ Qed.
 Lemma iter_mul b x k : iter k (smul K b) x = b ^+ k * x.
 Proof. by elim: k => [|k ih]; rewrite ?mul1r //= ih exprS mulrA. Qed.
 
-Lemma moebius_rowsE b c i : (i < size c)%N -> at_list (moebius_rows K V b c) i = moebius (size c).-1 b (at_list c) i.
-Proof. by move=> lt_i; rewrite nth_mkseq // iter_mul /moebius mulr1. Qed.
+Lemma moebius_rowsE b c i : at_list (moebius_rows K V b c) i = moebius (size c).-1 b (at_list c) i.
+Proof.
+have [lt_i|ge_i] := ltnP i (size c); first by rewrite nth_mkseq // iter_mul /moebius mulr1.
+by rewrite /moebius !nth_default ?size_mkseq // scaler0.
+Qed.
+
+(* In any degree they are those of the curve of that degree but for a factor. *)
+Lemma moebius_rows_degree n b c i : b != 0 -> (i <= n)%N -> at_list (moebius_rows K V b c) i = (b ^+ (size c).-1 / b ^+ n) *: moebius n b (at_list c) i.
+Proof.
+move=> b0 le_i; rewrite moebius_rowsE /moebius scalerA; have [lt_i|ge_i] := ltnP i (size c); last by rewrite nth_default // !scaler0.
+congr (_ *: _); rewrite !exprB ?unitfE //; last by lia.
+by move: (expf_neq0 i b0) (expf_neq0 n b0); move: (b ^+ i) (b ^+ n) (b ^+ _) => x y z x0 y0; field; rewrite x0 y0.
+Qed.
+
+Lemma pblossom_scale (u : nat -> F) (c : nat -> 'rV[F]_m) x v : pblossom u (fun i => x *: c i) v = x *: pblossom u c v.
+Proof.
+apply/rowP=> k; rewrite !mxE -[RHS]addr0 -[X in _ + X](mul0r (blossom u (coord c k) v)) -blossom_linear.
+by apply: blossom_ext => i _; rewrite /coord mxE mul0r addr0.
+Qed.
 
 Lemma pblossom_ext (u : nat -> F) (c d : nat -> 'rV[F]_m) v : (forall i, (i <= size v)%N -> c i = d i) -> pblossom u c v = pblossom u d v.
 Proof. by move=> e; apply/rowP=> k; rewrite !mxE; apply: blossom_ext => i /e; rewrite /coord => ->. Qed.
 
-(** FJ21.5.1 program: the rows of the program are those of $\tilde p(u)=((1-b)u+b)^n\,p(t(u))$, and its $t(u)$ is the parameter, wherever it gives one.
-    Hypotheses: there are rows. *)
-Theorem FJ21_5_1_program b c x y (n := (size c).-1) : (0 < size c)%N -> moebius_program K b x = Value [:: y] ->
+(** FJ21.5.1 program: the rows of the program are those of $\tilde p(u)=((1-b)u+b)^n\,p(t(u))$, and its $t(u)$ is the parameter, wherever it gives one. *)
+Theorem FJ21_5_1_program b c x y (n := (size c).-1) : moebius_program K b x = Value [:: y] ->
   pblossom (step01 F n) (at_list (moebius_rows K V b c)) (nseq n (at_ x))
     = ((1 - b) * x + b) ^+ n *: pblossom (step01 F n) (at_list c) (nseq n (at_ y)).
 Proof.
-move=> c0; rewrite /moebius_program /nonzero /= /given; case: ifP => // e0 [<-]; rewrite -FJ21_5_1_curve //.
-by apply: pblossom_ext => i; rewrite size_nseq => le_i; rewrite moebius_rowsE // -(prednK c0) ltnS.
+rewrite /moebius_program /nonzero /= /given; case: ifP => // e0 [<-]; rewrite -FJ21_5_1_curve //.
+by apply: pblossom_ext => i _; rewrite moebius_rowsE.
 Qed.
 
 (** FJ21.5.2 program: with the functions of the program at $u$ the rows of the program are related,
     $\tilde p[u^{\langle n-1\rangle},\tilde\Lambda]=\tilde\sigma\tilde q[u^{\langle n-1\rangle},\tilde M]$, iff $p[t^{\langle n-1\rangle},\Lambda]=\sigma q[t^{\langle n-1\rangle},M]$ at
     $t=t(u)$, wherever both programs give values.
-    Hypotheses: $b\ne0$; both lists have $n+1$ rows. *)
-Theorem FJ21_5_2_program n b c d x y L M s L' M' s' : b != 0 -> size c = n.+2 -> size d = n.+2 ->
+    Hypotheses: $b\ne0$; as many rows of the one as of the other. *)
+Theorem FJ21_5_2_program n b c d x y L M s L' M' s' : b != 0 -> size c = size d ->
   moebius_program K b x = Value [:: y] -> moebius_functions_program K L M s b = Value [:: L'; M'; s'] ->
   pblossom (step01 F n.+1) (at_list (moebius_rows K V b c)) (at_ L' :: nseq n (at_ x))
     = s' *: pblossom (step01 F n.+1) (at_list (moebius_rows K V b d)) (at_ M' :: nseq n (at_ x)) <->
   pblossom (step01 F n.+1) (at_list c) (at_ L :: nseq n (at_ y)) = s *: pblossom (step01 F n.+1) (at_list d) (at_ M :: nseq n (at_ y)).
 Proof.
-move=> b0 sc sd; rewrite /moebius_program /moebius_functions_program /nonzero /= /given; case: ifP => // x0 [<-].
+move=> b0 sz; rewrite /moebius_program /moebius_functions_program /nonzero /= /given; case: ifP => // x0 [<-].
 case: ifP => // /andP[l0 m0] [<- <- <-]; have := @FJ21_5_2_functions F m n b (at_list c) (at_list d) x L M s b0 x0 l0 m0.
-have e (r : seq 'rV[F]_m) z : size r = n.+2 -> pblossom (step01 F n.+1) (at_list (moebius_rows K V b r)) (at_ z :: nseq n (at_ x))
-    = pblossom (step01 F n.+1) (moebius n.+1 b (at_list r)) (at_ z :: nseq n (at_ x)).
-  by move=> sr; apply: pblossom_ext => i; rewrite /= size_nseq => le_i; rewrite moebius_rowsE sr.
-by rewrite !e.
+have e (r : seq 'rV[F]_m) z : pblossom (step01 F n.+1) (at_list (moebius_rows K V b r)) (at_ z :: nseq n (at_ x))
+    = (b ^+ (size r).-1 / b ^+ n.+1) *: pblossom (step01 F n.+1) (moebius n.+1 b (at_list r)) (at_ z :: nseq n (at_ x)).
+  by rewrite -pblossom_scale; apply: pblossom_ext => i; rewrite /= size_nseq => le_i; exact: moebius_rows_degree.
+have k0 : b ^+ (size d).-1 / b ^+ n.+1 != 0 by rewrite mulf_neq0 ?invr_eq0 ?expf_neq0.
+by rewrite !e sz => <-; rewrite scalerA [_ * (b ^+ _ / _)]mulrC -[X in _ = X <-> _]scalerA; split=> [/(scalerI k0)|->].
 Qed.
 
 (** FJ21.5.4 program: the program gives the functions of $p$, $q$ in degree $n$ from those of $fp$, $fp+g(q-p)$ in degree $n+1$, wherever it gives a value.
@@ -110,15 +127,27 @@ move=> n0 n1; rewrite /unshortened_program of_natE /nonzero /= /given; case: ifP
 by have := @FJ21_5_4_rulings F m n p q t L M s a b a' b' n0 n1; rewrite !FJ21_5.linearE => /(_ h0 k0).
 Qed.
 
-(** FJ21.5.4 inverse: the program of the inverse gives the functions of $fp$, $fp+g(q-p)$ in degree $n+1$ from those of $p$, $q$, wherever it gives a value.
-    Hypotheses: $f(t)\ne0$, $g(t)\ne0$; $n$ and $n+1$ are not 0 in the field. *)
-Theorem FJ21_5_4_inverse n p q t L M s a b a' b' L' M' s' (f := linear a b) (g := linear a' b') : n%:R != 0 :> F -> n.+1%:R != 0 :> F ->
-  a + b * t != 0 -> a' + b' * t != 0 -> shortened_program K n t L M s a b a' b' = Value [:: L'; M'; s'] ->
-  related_at n p q t L M s <-> related_at n.+1 (f *: p) (f *: p + g *: (q - p)) t L' M' s'.
+(** FJ21.5.4 inverse: the program of the inverse gives functions of $fp$, $fp+g(q-p)$ in degree $n+1$ where $p$, $q$ have the given ones, and conversely, wherever
+    it gives a value.
+    Hypotheses: $n$ and $n+1$ are not 0 in the field; for the converse: $f(t)\ne0$, $g(t)\ne0$. *)
+Theorem FJ21_5_4_inverse n p q t L M s a b a' b' L' M' s' (f := linear a b) (g := linear a' b') (low := related_at n p q t L M s)
+    (high := related_at n.+1 (f *: p) (f *: p + g *: (q - p)) t L' M' s') : n%:R != 0 :> F -> n.+1%:R != 0 :> F ->
+  shortened_program K n t L M s a b a' b' = Value [:: L'; M'; s'] ->
+  (low -> high) /\ (a + b * t != 0 -> a' + b' * t != 0 -> high -> low).
 Proof.
-move=> n0 n1 f0 g0; rewrite /shortened_program of_natE /nonzero /= /given; case: ifP => // /andP[h0 e0] [eL eM es].
+move=> n0 n1; rewrite /shortened_program of_natE /nonzero /= /given; case: ifP => // /andP[h0 e0] [eL eM es].
 set N := n%:R in n0 h0 e0 eL eM es *; set h := N * _ - b' * _ in h0 e0 eL eM es; set e := _ + s * _ in e0 eL es.
 have n1' : N + 1 != 0 by rewrite /N -natrS.
+have [f0|f0] := eqVneq (a + b * t) 0.
+  split=> // _; have Lt : L' = t by rewrite -eL f0 mulr0 !mul0r addr0.
+  have s0 : s' = 0 by rewrite -es f0 mulr0 !mul0r.
+  by apply/rowP=> k; rewrite /high /f !mxE hornerM FJ21_5.linearE f0 Lt s0 subrr !mul0r addr0.
+have [g0|g0] := eqVneq (a' + b' * t) 0.
+  split=> // _; have Lt : L' = t by rewrite -eL g0 mulr0 !mul0r addr0.
+  have Mt : M' = t by rewrite -eM g0 mulr0 !mul0r addr0.
+  have s1 : s' = 1 by rewrite -es -[RHS](divff e0) /e g0 !mul0r subr0 add0r !mulrA.
+  by apply/rowP=> k; rewrite /high /f /g !mxE hornerD !hornerM !FJ21_5.linearE g0 Lt Mt s1 subrr !mul0r !addr0 mul1r.
+suff all : low <-> high by split=> [/all|_ _ /all].
 have H : N * (a' + b' * t) + (a' + b' * M') = (N + 1) * N * (a' + b' * t) ^+ 2 / h.
   by rewrite -eM; move: h0; rewrite /h => h0; field.
 have E : (a + b * L') + N * (a + b * t) + s' * (a' + b' * M' - (a + b * M') + N * (a' + b' * t - (a + b * t)))

@@ -134,13 +134,13 @@ Qed.
 
 (** BZZ19.13 program: the program gives the Bezier points of $c(e(t))$, of degree $pd$ for $c$ of degree $p$ and $e$ of degree $d$; it gives an error iff one of
     the two has no points.
-    Hypotheses: no $C(pd,j)$ vanishes in the field, as in characteristic 0. *)
-Theorem BZZ19_13_program c e (p := (size c).-1) (d := (size e).-1) : independent F (p * d) ->
-  (forall r, composed_program K V c e = Value r -> size r = (p * d).+1 /\
+    Hypotheses: for the points: no $C(pd,j)$ vanishes in the field, as in characteristic 0. *)
+Theorem BZZ19_13_program c e (p := (size c).-1) (d := (size e).-1) :
+  (forall r, independent F (p * d) -> composed_program K V c e = Value r -> size r = (p * d).+1 /\
     forall k : 'I_m, bez (p * d) (coord (at_list r) k) = bez p (coord (at_list c) k) \Po bez d (at_list e)) /\
   (composed_program K V c e = Fails _ Vertices <-> size c = 0%N \/ size e = 0%N).
 Proof.
-move=> ind; rewrite /composed_program !nat_ltbE /given; split=> [r|]; last first.
+rewrite /composed_program !nat_ltbE /given; split=> [r ind|]; last first.
   by move: (size c) (size e) => [|k] [|l]; split=> // h; by [left | right | case: h].
 case: ifP => // /andP[c0 e0] er; rewrite -(Value_inj er) size_mkseq; split=> // k {r er}.
 set f := form_power K (form_of_rest K e); set g := form_power K (form_of K e).

@@ -16,14 +16,8 @@
      equation_program n rho s   a and b of 19
      bernstein e          the polynomial with the Bernstein coefficients e
      left_of, right_of    G and g of the system *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier FJ21_4 BZZ19_4 BZZ19_4_written ZW06 ZW06_cases ZW06_system ZW06_unique Executable Executable_knots
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier FJ21_4 BZZ19_4 BZZ19_4_written ZW06 ZW06_cases ZW06_system ZW06_unique Executable Executable_knots
   Executable_ZW06 Executable_splines Executable_composition Executable_polynomials Executable_elimination.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
 
 Inductive rulings T Q := Contradiction of seq T & Q | Only of seq Q | Family of seq Q & seq T.
 
@@ -159,10 +153,13 @@ Local Notation V := (rows F m).
 Local Notation at_list := (nth 0).
 Local Notation curve_of c := (pbez (size c).-1 (at_list c)).
 
-Lemma times_rowsE b c : independent F ((size c).-1 + (size b).-1) -> (0 < size b)%N -> (0 < size c)%N ->
+Lemma times_rowsE b c : independent F ((size c).-1 + (size b).-1) -> (0 < size c)%N ->
   pbez ((size c).-1 + (size b).-1) (at_list (times_rows K V b c)) = bernstein b *: curve_of c.
 Proof.
-move=> ind b0 c0; apply/rowP=> k; rewrite !mxE; set n := (size c).-1 in ind *; set d := (size b).-1 in ind *.
+move=> ind c0; apply/rowP=> k; have [b0|b0] := posnP (size b).
+  rewrite (size0nil b0) /bernstein !mxE [X in _ = X * _]/bez big_nat1 polyC0 !mul0r /bez big1_seq // => j; rewrite mem_index_iota => lt_j.
+  by rewrite /coord nth_mkseq // total_ofE big1 ?mxE ?mulr0 ?polyC0 ?mul0r // => i _; rewrite [nth _ (form_of _ _) _]nth_nil /= mul0r scale0r.
+ rewrite !mxE; set n := (size c).-1 in ind *; set d := (size b).-1 in ind *.
 have [ck [sk eck]] : exists ck : seq F, size ck = size c /\ forall i, at_list ck i = at_list c i 0 k.
   exists [seq (p : 'rV_m) 0 k | p <- c]; rewrite size_map; split=> // i; have [lt_i|ge_i] := ltnP i (size c); first by rewrite (nth_map 0).
   by rewrite !nth_default ?size_map // mxE.
@@ -179,31 +176,39 @@ by rewrite [LHS]nth_default ?size_mkseq ?sk // nth_default // mxE mul0r.
 Qed.
 
 (** ZW06.8 program: the program gives the Bezier points of $a_1=a(u)-b\tau$, where the surface for $a'=a\tau+b\tau'$ has its singular points.
-    Hypotheses: characteristic 0 or greater than $n+\deg b+1$; $a(u)$ and $\tau$ have the same number of points, not none, and $b$ has a coefficient. *)
-Theorem ZW06_8_program c tau b : good F (size c + (size b).-1) -> (0 < size b)%N -> (0 < size c)%N -> size tau = size c ->
+    Hypotheses: $n+1,\dots,D$ and the $C(D,j)$, $D=n+\deg b$, by which the program divides, are not 0 in the field, as in characteristic 0; $a(u)$ and $\tau$ have
+    the same number of points. *)
+Theorem ZW06_8_program c tau b : (forall i, (size c <= i < size c + (size b).-1)%N -> i%:R != 0 :> F) ->
+  independent F ((size c).-1 + (size b).-1) -> size tau = size c ->
   pbez ((size c).-1 + (size b).-1) (at_list (edge_of K V c tau b)) = curve_of c - bernstein b *: curve_of tau.
 Proof.
-move=> g b0 c0 st; have := @BZZ19_15_program _ _ lt _ _ g c0; rewrite -!subn1 -addnBAC // !subn1 => <-.
-rewrite -times_rowsE ?st //; last by apply: good_independent; apply: good_le g; rewrite leq_add2r leq_pred.
-apply/rowP=> k; rewrite !mxE -bez_sub; apply: bez_ext => i le_i; rewrite /coord nth_mkseq ?mxE //.
-have -> j : size (elevation_program K V c j) = (size c + j)%N.
-  by elim: j => [|j ih]; rewrite ?addn0 // /elevation_program iterS size_raise -/(elevation_program K V c j) ih addnS.
+move=> nz ind st; have := @BZZ19_15_program _ _ lt _ _ nz; have [c0|c0] := posnP (size c).
+  have d0 : (size b).-1 = 0%N by apply/eqP; rewrite -leqn0 leqNgt; apply/negP=> d0; have := nz 0%N; rewrite c0 d0 eqxx => /(_ isT).
+  have t0 : size tau = 0%N by rewrite st.
+  move=> _; rewrite /edge_of c0 d0 (size0nil c0) (size0nil t0) /=; apply/rowP=> k; rewrite !mxE /bez !big_nat1 /coord nth_nil mxE polyC0 !mul0r mulr0 subr0 //.
+rewrite -!subn1 -addnBAC // !subn1 => <-; rewrite -times_rowsE ?st //.
+apply/rowP=> k; rewrite !mxE -bez_sub; apply: bez_ext => i le_i; rewrite /coord nth_mkseq ?mxE // size_elevation.
 by rewrite -(prednK c0) addSn ltnS.
 Qed.
 
 (** ZW06.11 program: the program gives the vertex $e$ of the cone: $a(u)+v\tau(u)=e+(v+b(u))\tau(u)$ where $a'=a\tau+b\tau'$; it gives an error iff $a\ne b'$.
-    Hypotheses: characteristic 0. *)
-Theorem ZW06_11_program c tau a b : (forall i, i.+1%:R != 0 :> F) ->
-  (forall e, vertex_of_cone K V c tau a b = Value e -> pderiv (curve_of c) = bernstein a *: curve_of tau + bernstein b *: pderiv (curve_of tau) ->
+    Hypotheses: for the vertex: characteristic 0 or greater than the degrees of $a(u)$ and $b\tau$. *)
+Theorem ZW06_11_program c tau a b :
+  (forall e, (forall i, (0 < i <= maxn (size c).-1 ((size b).-1 + (size tau).-1))%N -> i%:R != 0 :> F) ->
+    vertex_of_cone K V c tau a b = Value e -> pderiv (curve_of c) = bernstein a *: curve_of tau + bernstein b *: pderiv (curve_of tau) ->
     forall u v : F, ev (curve_of c) u + v *: ev (curve_of tau) u = e + (v + (bernstein b).[u]) *: ev (curve_of tau) u) /\
   (vertex_of_cone K V c tau a b = Fails _ Equation <-> bernstein a <> (bernstein b)^`()).
 Proof.
-move=> nz; rewrite /vertex_of_cone /given; have := ZW06_9_program lt a b; case: is_cone => -[ab ba]; split=> //; last first.
+rewrite /vertex_of_cone /given; have := ZW06_9_program lt a b; case: is_cone => -[ab ba]; split=> //; last first.
 - by split=> // _ /ba.
 - by split=> // /(_ (ab isT)).
-move=> e ee eq u v; rewrite -(Value_inj ee); pose r := curve_of c - bernstein b *: curve_of tau.
+move=> e nz ee eq u v; rewrite -(Value_inj ee); pose r := curve_of c - bernstein b *: curve_of tau.
 have const (k : 'I_m) : r 0 k = ((r 0 k)`_0)%:P.
-  apply: constant_poly => //; have := congr1 (fun z : 'rV__ => z 0 k) eq; rewrite !mxE derivB derivM => ->; rewrite (ab isT); ring.
+  apply: constant_poly => [i lt_i|]; last first.
+    have := congr1 (fun z : 'rV__ => z 0 k) eq; rewrite !mxE derivB derivM => ->; rewrite (ab isT); ring.
+  apply: nz; rewrite /= -ltnS; apply: leq_trans lt_i _; rewrite !mxE (leq_trans (size_add _ _)) // size_opp geq_max -maxnSS !leq_max size_bez /=.
+  apply/orP; right; apply: leq_trans (size_mul_leq _ _) _; have := size_bez (size b).-1 (at_list b); have := size_bez (size tau).-1 (coord (at_list tau) k).
+  by rewrite -/(bernstein b); move: (size (bernstein b)) (size (bez _ _)) => x y; clear; lia.
 have -> : psub V (at_list c 0) (pscale V (at_list b 0) (at_list tau 0)) = ev r 0.
   by apply/rowP=> k; rewrite !mxE hornerD hornerN hornerM !(bez_ends _ _).1.
 have -> : ev r 0 = ev r u by apply/rowP=> k; rewrite !mxE; have := const k; rewrite !mxE => ->; rewrite !hornerC.
@@ -244,24 +249,26 @@ Qed.
 Lemma size_bernstein (e : seq F) : (size (bernstein e) <= (size e).-1.+1)%N.
 Proof. exact: size_bez. Qed.
 
-Lemma sidesE c D j : good F D.+1 -> (0 < size c)%N -> ((size c).-1 <= D)%N -> (j <= D)%N -> at_list (sides K V D c) j = right_of c D j.
+Lemma sidesE c D j : good F D -> (0 < size c)%N -> ((size c).-1 <= D)%N -> (j <= D)%N -> at_list (sides K V D c) j = right_of c D j.
 Proof.
 move=> g c0 le_n le_j; set n := (size c).-1 in le_n *; set r := mkseq (fun i => padd V (pscale V (of_nat K (n - i)) (forward V c i))
   (pscale V (of_nat K i) (backward V c i))) (size c); have sr : size r = n.+1 by rewrite size_mkseq prednK.
 have sz : (size r + (D - n)).-1 = D by rewrite sr addSn subnKC.
-have := @BZZ19_15_program _ _ lt r (D - n); rewrite sz sr -[(n.+1 + (D - n))%N]/(n + (D - n)).+1 subnKC // => /(_ g isT).
+have := @BZZ19_15_program _ _ lt r (D - n); rewrite sz sr -[(n.+1 + (D - n))%N]/(n + (D - n)).+1 subnKC //.
+have nz i : (n < i < D.+1)%N -> i%:R != 0 :> F by move=> /andP[lt_i le_i]; apply: (good_nat g); clear -lt_i le_i; lia.
+move/(_ nz).
 rewrite (_ : pbez n.+1.-1 (at_list r) = pderiv (curve_of c)); last first.
   rewrite pderiv_rate; apply: pbez_ext => i le_i; rewrite nth_mkseq; last by rewrite -(prednK c0).
   by rewrite !of_natE.
-move=> e; have gD : good F D by exact: good_le g.
+move=> e.
 apply/rowP=> k; rewrite [RHS]mxE; have := congr1 (fun z : 'rV__ => z 0 k) e; rewrite [LHS]mxE => ek.
 have sp : (size (pderiv (curve_of c) 0%R k) <= D.+1)%N.
   rewrite -ek; exact: size_bez.
-apply: (bez_inj (n := D) (c := coord (at_list (sides K V D c)) k) (d := in_bernstein D (pderiv (curve_of c) 0 k)) (good_independent gD)) => //.
+apply: (bez_inj (n := D) (c := coord (at_list (sides K V D c)) k) (d := in_bernstein D (pderiv (curve_of c) 0 k)) (good_independent g)) => //.
 by rewrite -BZZ19_14_bernstein //; exact: good_independent.
 Qed.
 
-Lemma equation_of c a b (n := (size c).-1) (D := degree_of n a b) j : good F D.+1 -> (1 < size c)%N -> (j <= D)%N ->
+Lemma equation_of c a b (n := (size c).-1) (D := degree_of n a b) j : good F D -> (1 < size c)%N -> (j <= D)%N ->
   made (size c) D.+1 (left_of a b n D) (right_of c D) (nth (Row [::] 0 [::]) (equations K V c a b) j) /\
   (forall i, (i < size c)%N -> (coefficients (nth (Row [::] 0 [::]) (equations K V c a b) j))`_i = left_of a b n D j i) /\
   right_side (nth (Row [::] 0 [::]) (equations K V c a b) j) = right_of c D j.
@@ -284,13 +291,12 @@ split; [split|split] => //; first by rewrite size_map size_mkseq.
 by rewrite [right_side _]/= er -(pick _ (right_of c D)).
 Qed.
 
-Lemma systemP c a b (n := (size c).-1) (D := degree_of n a b) (x : seq 'rV[F]_m) : good F D.+1 -> (1 < size c)%N ->
+Lemma systemP c a b (n := (size c).-1) (D := degree_of n a b) (x : seq 'rV[F]_m) : good F D -> (1 < size c)%N ->
   solves n (at_list c) (bernstein a) (bernstein b) (at_list x) <-> obeys (size c) x (equations K V c a b).
 Proof.
 move=> g c1; have c0 : (0 < size c)%N by exact: ltnW.
 have [|le_n la lb] := @degree_of_bounds n a b; first by rewrite /n prednK.
-have gD : good F D by exact: good_le g.
-have ind := good_independent gD; rewrite (@ZW06_G_system _ _ n D) //; last 2 first.
+have ind := good_independent g; rewrite (@ZW06_G_system _ _ n D) //; last 2 first.
 - exact: leq_trans (size_bernstein a) _.
 - exact: leq_trans (size_bernstein b) _.
 rewrite (obeysP _ _ _ (Row [::] 0 [::])) /equations size_mkseq -/(equations K V c a b) -/n -/D prednK //.

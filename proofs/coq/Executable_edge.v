@@ -30,10 +30,11 @@ Local Notation V := (rows F m).
 Local Notation at_list := (nth 0).
 Local Notation bezier c := (pbez (size c).-1 (at_list c)).
 
-Lemma times_programE c a b : (size c)%:R != 0 :> F -> (0 < size c)%N ->
+Lemma times_programE c a b : (size c)%:R != 0 :> F ->
   pbez (size c) (at_list (times_program K V c a b)) = linear a b *: bezier c.
 Proof.
-case: c => // z c nz _; rewrite [(size (z :: c)).-1]/=; apply/rowP=> k; rewrite !mxE; set d := z :: c.
+case: c => [|z c] nz; first by case/eqP: nz.
+rewrite [(size (z :: c)).-1]/=; apply/rowP=> k; rewrite !mxE; set d := z :: c.
 have nz' : (size d)%:R%:P != 0 :> {poly F} by rewrite polyC_eq0.
 apply: (mulfI nz'); transitivity (a%:P * ((size d)%:R%:P * ((1 - 'X) * bez (size c) (coord (at_list d) k)))
     + (a + b)%:P * ((size d)%:R%:P * ('X * bez (size c) (coord (at_list d) k)))); last first.
@@ -44,13 +45,13 @@ by move: (e 0 k) (h 0 k) => *; ring.
 Qed.
 
 (** FJ21.6.1 program: the program gives the points of the curve $r=\frac{(\Lambda-t)p+\sigma(t-M)q}{\Lambda-M}$ of degree $n+1$ iff $\Lambda\ne M$.
-    Hypotheses: as many rows $q$ as $p$, at least one; $n+1\ne0$ in the field. *)
-Theorem FJ21_6_1_program p q L M s : size q = size p -> (0 < size p)%N -> (size p)%:R != 0 :> F ->
+    Hypotheses: for the curve: as many rows $q$ as $p$; $n+1\ne0$ in the field, so that there is a row. *)
+Theorem FJ21_6_1_program p q L M s :
   (L = M -> edge_rows_program K V p q L M s = Fails _ Lambda) /\
-  (L != M -> exists r, [/\ edge_rows_program K V p q L M s = Value r, size r = (size p).+1 &
+  (size q = size p -> (size p)%:R != 0 :> F -> L != M -> exists r, [/\ edge_rows_program K V p q L M s = Value r, size r = (size p).+1 &
     bezier r = ((L - M)^-1)%:P *: ((L%:P - 'X) *: bezier p + (s%:P * ('X - M%:P)) *: bezier q)]).
 Proof.
-move=> sq p0 nz; rewrite /edge_rows_program /= /given; split=> [->|/negPf->]; first by rewrite eqxx.
+rewrite /edge_rows_program /= /given; split=> [->|sq nz /negPf->]; first by rewrite eqxx.
 set r := mkseq _ _; exists r; rewrite size_mkseq; split=> //=; set o := (L - M)^-1.
 transitivity (pbez (size p) (at_list (times_program K V p (L * o) (0 - o))) + pbez (size p) (at_list (times_program K V q (0 - M * (s * o)) (s * o)))).
   by rewrite pbez_add; apply: pbez_ext => i le_i; rewrite nth_mkseq.
@@ -62,14 +63,14 @@ Qed.
 
 (** FJ21.6.1 edge_program: the curve passes through the edge of regression: $r(t)=\frac E{\Lambda-M}((1-v)p+vq)$, $E=\Lambda-t+\sigma(t-M)$, for the $v$ of
     the program of section 6, wherever both give values.
-    Hypotheses: as many rows $q$ as $p$, at least one; $n+1\ne0$ in the field. *)
-Theorem FJ21_6_1_edge_program n p q t L M s v x y r : size q = size p -> (0 < size p)%N -> (size p)%:R != 0 :> F ->
+    Hypotheses: as many rows $q$ as $p$; $n+1\ne0$ in the field, so that there is a row. *)
+Theorem FJ21_6_1_edge_program n p q t L M s v x y r : size q = size p -> (size p)%:R != 0 :> F ->
   edge_program K n t L M s = Value [:: v; x; y] -> edge_rows_program K V p q L M s = Value r ->
   ev (bezier r) t = ((L - t + s * (t - M)) / (L - M)) *: ((1 - v) *: ev (bezier p) t + v *: ev (bezier q) t).
 Proof.
-move=> sq p0 nz; rewrite /edge_program /nonzero /= /given; case: ifP => // e0 [<- _ _] er.
-have [fails] := FJ21_6_1_program L M s sq p0 nz; have [/fails|LM] := eqVneq L M; first by rewrite er.
-case/(_ isT)=> r' [e' _ er']; have -> : r = r' by apply: Value_inj; rewrite -er -e'.
+move=> sq nz; rewrite /edge_program /nonzero /= /given; case: ifP => // e0 [<- _ _] er.
+have [fails] := FJ21_6_1_program p q L M s; have [/fails|LM] := eqVneq L M; first by rewrite er.
+case/(_ sq nz isT)=> r' [e' _ er']; have -> : r = r' by apply: Value_inj; rewrite -er -e'.
 rewrite er'.
 have d0 : L - M != 0 by rewrite subr_eq0.
 apply/rowP=> k; rewrite !mxE !(hornerM, hornerD, hornerN, hornerC, hornerX); move: (bez _ _).[t] (bez _ _).[t] => a b; by field; rewrite e0 d0.

@@ -6,20 +6,13 @@
      reduced kept e             e without the pivots of the rows that are kept, each with its pivot, the newest first
      outcome, eliminate         the rows that are kept after all equations, or the first contradiction
      solved kept x              the solution with the unknowns that are no pivots as in x
-     itself K                   the scalars as points
      kernel N kept f            the solution in scalars without right sides that is 1 at f and 0 at the other unknowns that are no pivots
      module_of Q                the operations of a module
      sat N x e, sats, obeys     x obeys an equation; all with pivots; all of a list
      echelon N kept             the rows are 1 at their pivots and 0 at those of the rows before
      made N M G g e             e is the combination that it says of the M equations with coefficients G and right sides g
      every P s                  P holds for all members *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Executable Executable_knots.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Executable Executable_knots.
 
 Record equation T Q := Row {coefficients : seq T; right_side : Q; sources : seq T}.
 Inductive outcome T Q := Solved of seq (nat * equation T Q) | Refuted of equation T Q.
@@ -42,7 +35,6 @@ Fixpoint eliminate N kept (es : seq (equation T Q)) := if es is e :: es' then
   else Solved kept.
 Definition solved N kept x := foldl (fun x q => set_nth (origin V) x q.1 (padd V (nth (origin V) x q.1)
   (psub V (right_side q.2) (total_of V (fun j => pscale V (coefficients q.2)$j (nth (origin V) x j)) 0 N)))) x kept.
-Definition itself := Points (zero K) (sadd K) (ssub K) (smul K).
 End Programs.
 
 Definition is_pivot T Q (kept : seq (nat * equation T Q)) j := has (fun k => Nat.eqb k.1 j) kept.

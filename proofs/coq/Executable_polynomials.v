@@ -56,12 +56,12 @@ Qed.
 
 (** BZZ19.14 program: the program gives the Bernstein coefficients of degree $D$ of $f(a+(b-a)t)$, by $\sum_k\frac{C(i,k)}{C(D,k)}a_k$; it gives an error iff
     the degree of that polynomial is greater.
-    Hypotheses: no $C(D,k)$ vanishes in the field, as in characteristic 0. *)
-Theorem BZZ19_14_program f n a b (p := Poly f \Po line a b) : independent F n ->
-  (forall r, bernstein_program K f n a b = Value r -> size r = n.+1 /\ bez n (at_list r) = p) /\
+    Hypotheses: for the coefficients: no $C(D,k)$ vanishes in the field, as in characteristic 0. *)
+Theorem BZZ19_14_program f n a b (p := Poly f \Po line a b) :
+  (forall r, independent F n -> bernstein_program K f n a b = Value r -> size r = n.+1 /\ bez n (at_list r) = p) /\
   (bernstein_program K f n a b = Fails _ Division <-> (n.+1 < size p)%N).
 Proof.
-move=> ind; rewrite /bernstein_program /given; have [] := @after_lineE f a (b - a).
+rewrite /bernstein_program /given; have [] := @after_lineE f a (b - a).
 set g := after_line _ _ _ _ => eg sg.
 have -> : all (fun x => same K x (zero K)) (drop n.+1 g) = (size p <= n.+1)%N.
   apply/allP/leq_sizeP => [h i le_i|h x /(nthP 0)[i lt_i <-]].
@@ -69,7 +69,7 @@ have -> : all (fun x => same K x (zero K)) (drop n.+1 g) = (size p <= n.+1)%N.
       by apply/eqP; apply: h; exact: mem_nth.
     by rewrite nth_default.
   by rewrite nth_drop; have := h _ (leq_addr i n.+1); rewrite /p -eg coef_Poly => /eqP.
-case: leqP => le_p; split=> // r e.
+case: leqP => le_p; split=> // r ind e.
 rewrite -(Value_inj e) size_mkseq; split=> //; rewrite [RHS](BZZ19_14_bernstein ind le_p).
 apply: bez_ext => i le_i; rewrite nth_mkseq // totalE; apply: eq_big_nat => j _.
 by rewrite !pascalE /p -eg coef_Poly.

@@ -29,15 +29,16 @@ Definition check4_program n u c d := knot_list K n u (fits n u c (fits n u d
 End Programs.
 
 Lemma head_filter (a : pred nat) K k : head 0%N (filter a (iota 1 K)) = k ->
-  (k = 0%N <-> forall j, (j < K)%N -> ~~ a j.+1) /\ forall j, k = j.+1 -> a j.+1.
+  (k = 0%N <-> forall j, (j < K)%N -> ~~ a j.+1) /\ forall j, k = j.+1 -> (j < K)%N /\ a j.+1.
 Proof.
 have in_all j : (j.+1 \in filter a (iota 1 K)) = a j.+1 && (j < K)%N by rewrite mem_filter mem_iota /= add1n ltnS.
 case E : (filter a (iota 1 K)) in_all => [|i s] in_all <- /=.
   by split=> //; split=> // _ j lt_j; have := in_all j; rewrite lt_j andbT => <-.
-have [i0 a_i] : (0 < i)%N /\ a i.
-  by have := mem_head i s; rewrite -E mem_filter mem_iota => /andP[-> /andP[]].
-split=> [|j <- //]; split=> [e|h]; first by rewrite e in i0.
-case: i i0 a_i E in_all => // i _ a_i _ in_all; have := in_all i; rewrite mem_head a_i /= => /esym/h.
+have [i0 lt_i a_i] : [/\ (0 < i)%N, (i <= K)%N & a i].
+  by have := mem_head i s; rewrite -E mem_filter mem_iota add1n ltnS => /andP[-> /andP[]].
+split=> [|j <-]; last by split=> //; rewrite -(prednK i0).
+split=> [e|h]; first by rewrite e in i0.
+case: i i0 lt_i a_i E in_all => // i _ _ a_i _ in_all; have := in_all i; rewrite mem_head a_i /= => /esym/h.
 by rewrite a_i.
 Qed.
 
@@ -94,9 +95,9 @@ Qed.
 
 (** FJ21.C3.1 decides: the program that evaluates the determinant of a piece at $4(n-1)+1$ parameters says that it is refuted iff
     $p[t^{\langle n-1\rangle},a]$, ... are independent over the polynomials.
-    Hypotheses: the knots carry the piece; $1,\dots,4n$ are not 0 in the field. *)
+    Hypotheses: the knots carry the piece, so that its points have a meaning; $1,\dots,4(n-1)$ are not 0 in the field. *)
 Theorem FJ21_C3_1_decides n u c d k (v := drop_ k (at_list u)) (a := at_list u (n + k)) (b := at_list u (n + k).+1) :
-  (forall i, (0 < i <= 4 * n.+1)%N -> i%:R != 0 :> F) -> span n.+1 v ->
+  (forall i, (0 < i <= 4 * n)%N -> i%:R != 0 :> F) -> span n.+1 v ->
   ~~ refuted4 K V wt px py pz n.+1 u c d k.+1 <->
   dependent4 (last_point n.+1 v (drop_ k (at_list c)) a) (last_point n.+1 v (drop_ k (at_list c)) b)
     (last_point n.+1 v (drop_ k (at_list d)) a) (last_point n.+1 v (drop_ k (at_list d)) b).
@@ -111,16 +112,17 @@ apply: (@roots_geq_poly_eq0 _ f [seq j%:R | j <- iota 0 (4 * n).+1]).
   wlog le_ij : i j lt_i lt_j / (i <= j)%N.
     by move=> th e; case: (leqP i j) => [le_ij|/ltnW le_ji]; [apply: th | symmetry; apply: th].
   move/eqP; rewrite -subr_eq0 -opprB oppr_eq0 -natrB // => /eqP e; apply/eqP; rewrite eqn_leq le_ij /= leqNgt; apply/negP=> lt_ij.
-  have le_ji : (0 < j - i <= 4 * n.+1)%N by lia.
+  have le_ji : (0 < j - i <= 4 * n)%N by lia.
   by have := nz _ le_ji; rewrite e eqxx.
 by rewrite size_map size_iota; have := FJ21_C3_1_degree (drop_ k (at_list c)) (drop_ k (at_list d)) a b (ltn0Sn n) sp; rewrite subn1.
 Qed.
 
 (** FJ21.C3.1 check: the program gives 0 iff every piece of the list that the knots carry is developable, and else one that is not.
-    Hypotheses: the program gives a value; $1,\dots,4n$ are not 0 in the field; no weight vanishes identically on a piece that the knots carry. *)
+    Hypotheses: the program gives a value; $1,\dots,4(n-1)$ are not 0 in the field; no weight vanishes identically on a piece that the knots carry, so that its
+    curves have points. *)
 Theorem FJ21_C3_1_check n u c d k (piece := fun r j => pcurve n.+1 (drop_ j (at_list u)) (drop_ j (at_list r))) :
-  (forall i, (0 < i <= 4 * n.+1)%N -> i%:R != 0 :> F) ->
-  (forall j, span n.+1 (drop_ j (at_list u)) -> weight (piece c j) != 0 /\ weight (piece d j) != 0) ->
+  (forall i, (0 < i <= 4 * n)%N -> i%:R != 0 :> F) ->
+  (forall j, (j <= size u - n.+1 - n.+1)%N -> span n.+1 (drop_ j (at_list u)) -> weight (piece c j) != 0 /\ weight (piece d j) != 0) ->
   check4_program K V wt px py pz n.+1 u c d = Value k ->
   (k = 0%N <-> forall j, (j <= size u - n.+1 - n.+1)%N -> span n.+1 (drop_ j (at_list u)) -> rational_developable (piece c j) (piece d j)) /\
   forall j, k = j.+1 -> span n.+1 (drop_ j (at_list u)) /\ ~ rational_developable (piece c j) (piece d j).
@@ -129,14 +131,14 @@ move=> nz w0 /knot_listP[_ e]; have [_ {}e] := (fitsP _ _ _ _ _).1 e; have [_ {}
 have [h0 h1] := head_filter (Value_inj e).
 have carryE j : carries K n.+1 (drop j u) = true <-> span n.+1 (drop_ j (at_list u)).
   split=> [/carriesP sp|sp]; last apply/carriesP; move=> i l lt_i le_l; have := sp i l lt_i le_l; rewrite !nth_drop //.
-have devE j : span n.+1 (drop_ j (at_list u)) -> ~~ refuted4 K V wt px py pz n.+1 u c d j.+1 <-> rational_developable (piece c j) (piece d j).
-  move=> sp; have [wc wd] := w0 j sp; have ab : at_list u (n + j) != at_list u (n + j).+1.
+have devE j : (j <= size u - n.+1 - n.+1)%N -> span n.+1 (drop_ j (at_list u)) -> ~~ refuted4 K V wt px py pz n.+1 u c d j.+1 <-> rational_developable (piece c j) (piece d j).
+  move=> le_j sp; have [wc wd] := w0 j le_j sp; have ab : at_list u (n + j) != at_list u (n + j).+1.
     have := sp n n.+1 (ltnSn n) (introT andP (conj (leqnn _) (leq_addl _ _))).
     by rewrite unitfE subr_eq0 /drop_ addnS [(j + n)%N]addnC eq_sym.
   rewrite (FJ21_C3_1_dependent (a := at_list u (n + j)) (b := at_list u (n + j).+1)) //; first exact: FJ21_C3_1_decides.
-  by apply: nz; lia.
-split=> [|j /h1 /= /andP[/carryE sp bad]]; last by split=> // /(devE j sp); rewrite bad.
-rewrite h0; split=> all_dev j le_j; last by rewrite /= negb_and; case: (boolP (carries _ _ _)) => //= /carryE sp; apply/(devE j sp)/all_dev.
-by move=> /[dup] sp /carryE ok; apply/(devE j sp); have := all_dev j le_j; rewrite /= ok.
+  by case: (n) nz => [_|n' nz]; [exact: oner_neq0 | apply: nz; lia].
+split=> [|j /h1 [le_j /= /andP[/carryE sp bad]]]; last by split=> // /(devE j le_j sp); rewrite bad.
+rewrite h0; split=> all_dev j le_j; last by rewrite /= negb_and; case: (boolP (carries _ _ _)) => //= /carryE sp; apply/(devE j le_j sp)/all_dev.
+by move=> /[dup] sp /carryE ok; apply/(devE j le_j sp); have := all_dev j le_j; rewrite /= ok.
 Qed.
 End Equal.

@@ -28,9 +28,8 @@ Definition aim_program n u c M i := in_row K n u c M (Value (aim_of n u c M i)).
 
 Definition times_root R (W : points T R) a (s : seq R) :=
   mkseq (fun j => psub W (if j is i.+1 then nth (origin W) s i else origin W) (pscale W a (nth (origin W) s j))) (size s).+1.
-Definition line : points T T := Points (zero K) (sadd K) (ssub K) (smul K).
 Fixpoint chord_rows n u c i k h s := if k is k'.+1 then
-  chord_rows n u c i.+1 k' (times_root line u$i h) (mkseq (fun j => padd V (vertex (times_root V u$(i + n)%N s) j) (h$j *: difference V c i)) (size h))
+  chord_rows n u c i.+1 k' (times_root (itself K) u$i h) (mkseq (fun j => padd V (vertex (times_root V u$(i + n)%N s) j) (h$j *: difference V c i)) (size h))
   else s.
 Definition branch_program n u c v w := knot_list K n u (fits n u c
   (Value (map (fun p => triple_of K x y z p v w) (chord_rows n u c 0 (last_ n u) [:: one K] [::])))).
@@ -90,7 +89,7 @@ rewrite nth_default ?size_mkseq // mxE; case: i le_i => // i le_i /=.
 by rewrite !nth_default ?mxE ?mulr0 ?subr0 //; exact: ltnW.
 Qed.
 
-Lemma Poly_times a h : Poly (times_root (line R) a h) = ('X - a%:P) * Poly h.
+Lemma Poly_times a h : Poly (times_root (itself R) a h) = ('X - a%:P) * Poly h.
 Proof.
 apply/polyP=> i; rewrite mulrBl coefB coefXM coefCM !coef_Poly; have [lt_i|le_i] := ltnP i (size h).+1.
   by rewrite nth_mkseq //; case: i lt_i.

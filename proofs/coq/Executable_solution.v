@@ -1,12 +1,6 @@
 (* What the program for the rulings of a directrix gives, ZW06.G. *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier FJ21_4 BZZ19_4 BZZ19_4_written ZW06 ZW06_cases ZW06_system ZW06_unique Executable Executable_knots
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier FJ21_4 BZZ19_4 BZZ19_4_written ZW06 ZW06_cases ZW06_system ZW06_unique Executable Executable_knots
   Executable_ZW06 Executable_splines Executable_composition Executable_polynomials Executable_elimination Executable_directrix.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory.
-Local Open Scope ring_scope.
 
 Section Solution.
 Variables (F : fieldType) (m : nat) (lt : F -> F -> bool).
@@ -41,9 +35,9 @@ Qed.
 (** ZW06.G program: the program for $a'=a\tau+b\tau'$ gives $s_j$ with $\sum_js_jG_{ji}=0$ for all $i$ and $\sum_js_jg_j\ne0$ where no $\tau$ solves the equation;
     $\tau$ where it is the only solution; $\tau$ and $\kappa$ where the solutions are the $\tau_i+\kappa_iv$ for all vectors $v$; and an error iff there are
     fewer than two points, or else $a=b=0$.
-    Hypotheses: characteristic 0 or greater than $D+1$, $D=n+\max(\deg a,\deg b-1)$; the space has a dimension. *)
+    Hypotheses: characteristic 0 or greater than $D=n+\max(\deg a,\deg b-1)$, so that the program divides by no zero. *)
 Theorem ZW06_G_program c a b (n := (size c).-1) (D := degree_of n a b) (found := directrix_program K V (fun p => p == 0) c a b)
-    (solution := solves n (at_list c) (bernstein a) (bernstein b)) : (0 < m)%N -> good F D.+1 -> 
+    (solution := solves n (at_list c) (bernstein a) (bernstein b)) : good F D ->
   [/\ forall s r, found = Value (Contradiction s r) -> [/\ r != 0, r = \sum_(0 <= j < D.+1) s`_j *: right_of c D j,
         forall i, (i <= n)%N -> \sum_(0 <= j < D.+1) s`_j * left_of a b n D j i = 0 & forall tau : nat -> 'rV[F]_m, ~ solution tau],
       forall t, found = Value (Only F t) -> forall tau : nat -> 'rV[F]_m, solution tau <-> forall i, (i <= n)%N -> tau i = at_list t i,
@@ -51,10 +45,10 @@ Theorem ZW06_G_program c a b (n := (size c).-1) (D := degree_of n a b) (found :=
       found = Fails _ Directrix <-> (size c <= 1)%N &
       found = Fails _ Equation <-> [/\ (1 < size c)%N, bernstein a = 0 & bernstein b = 0]].
 Proof.
-move=> m0 g; rewrite /found /directrix_program nat_lebE /given; case: (ltnP 1 (size c)) => [c1|c1] /=; last by split=> //; split=> // -[].
+move=> g; rewrite /found /directrix_program nat_lebE /given; case: (ltnP 1 (size c)) => [c1|c1] /=; last by split=> //; split=> // -[].
 have [|le_n la lb] := @degree_of_bounds F n a b; first by rewrite /n prednK // ltnW.
 rewrite -/D in le_n la lb; have n1 : n.+1 = size c by rewrite /n prednK // ltnW.
-have ind k : (k <= D)%N -> independent F k by move=> le_k; apply: good_independent; apply: good_le g; exact: leqW.
+have ind k : (k <= D)%N -> independent F k by move=> le_k; apply: good_independent; exact: good_le g.
 have [ia ib] : independent F (size a).-1 /\ independent F (size b).-1.
   have low p q r s : (p <= s - r)%N -> (q <= (s - r).+1)%N -> (r <= s)%N -> (1 < r.+1)%N -> (p <= s)%N /\ (q <= s)%N by split; lia.
   by have [] := low _ _ _ _ la lb le_n; rewrite ?n1 //; split; exact: ind.
@@ -112,6 +106,8 @@ have move_by (x : seq 'rV[F]_m) v : sats N x kept -> sats N (mkseq (fun i => at_
   by move=> j /andP[_ lt_j]; rewrite nth_mkseq // scalerDr scalerA.
 split=> [sol|[v e]]; last first.
   by apply/kept_of; rewrite (_ : mkseq tau N = mkseq (fun i => at_list t i + kap`_i *: v) N); [exact: move_by | apply/eq_in_map => i; rewrite mem_iota -n1 ltnS; exact: e].
+have [m0|m0] := posnP m.
+  by exists 0 => i _; apply/rowP=> -[k lt_k]; exfalso; move: (lt_k); rewrite m0.
 have homk : bernstein a * bez n (at_list kap) + bernstein b * (bez n (at_list kap))^`() = 0.
   have := move_by t (const_mx 1) ht; set y := mkseq _ N => hy.
   have soly : solution (at_list y) by apply: sol_at; [rewrite size_mkseq | have /hk[] := hy].
@@ -121,7 +117,7 @@ have kap0 : bez n (at_list kap) != 0.
   apply/eqP=> k0; have z0 : bez n (fun=> 0 : F) = 0 by rewrite /bez big1 // => j _; rewrite polyC0 mul0r.
   have le_f : (f <= n)%N by rewrite -ltnS n1.
   by have := bez_inj (ind n le_n) (etrans k0 (esym z0)) le_f; rewrite kapf => /eqP; rewrite oner_eq0.
-have gn : good F n by apply: good_le g; exact: leqW.
+have gn : good F n by exact: good_le g.
 exists (tau f - at_list t f) => i le_i; apply/eqP; rewrite addrC -subr_eq; apply/eqP/rowP=> k.
 have [s es_k] := ZW06_G_family gn ab kap0 homk (without_right_side k solt sol).
 have := es_k f; rewrite kapf mulr1 -ltnS n1 => /(_ lt_f) ef; have := es_k i le_i.

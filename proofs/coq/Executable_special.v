@@ -83,18 +83,21 @@ apply: (scalerI n0); rewrite scalerA mulfV // scale1r; apply/rowP=> j; rewrite !
 exact: mulr_natl.
 Qed.
 
-(** FJ21.3.2 pair: for the two points that the program gives on a piece $[a,b]$, $c'(t)=\frac n{b-a}(c_1^{n-1}(t)-c_0^{n-1}(t))$.
-    Hypotheses: $n\ne0$ in the field. *)
-Theorem FJ21_3_2_pair n u c k t p q (a := at_list u (n + k - 1)) (b := at_list u (n + k)) : n%:R != 0 :> F ->
-  last_pair_program K V n u c k.+1 t = Value [:: p; q] -> a != b ->
+(** FJ21.3.2 pair: for the two points that the program gives on a piece $[a,b]$, $c'(t)=\frac n{b-a}(c_1^{n-1}(t)-c_0^{n-1}(t))$, and $a\ne b$, wherever it gives
+    points. *)
+Theorem FJ21_3_2_pair n u c k t p q (a := at_list u (n + k - 1)) (b := at_list u (n + k)) :
+  last_pair_program K V n u c k.+1 t = Value [:: p; q] -> a != b /\
   ev (pderiv (pcurve n (drop_ k (at_list u)) (drop_ k (at_list c)))) t = (n%:R / (b - a)) *: (q - p).
 Proof.
-move=> n0 /knot_listP[[pos _ _ _ _] /fitsP[_ e]] ab; have [/carriesP sp {}e] := given_Value e.
+move=> /knot_listP[[pos _ _ _ _] /fitsP[_ e]]; have [/carriesP sp {}e] := given_Value e.
 have spd : span n (drop_ k (at_list u)) by move=> i j lt_i le_j; have := sp i j lt_i le_j; rewrite !nth_drop.
-have := Value_inj e; rewrite !deboor_drop -!FJ21_3_5_tangent //.
-rewrite (_ : n + k.+1 - 2 = n + k - 1)%N 1?(_ : n + k.+1 - 1 = n + k)%N; [|lia|lia].
-rewrite -/a -/b /tangent; set C := pcurve _ _ _; move: (ev C t) (ev (pderiv C) t) => r s [<- <-].
-have ba : b - a != 0 by rewrite subr_eq0 eq_sym.
-by by_entries j; field; rewrite ba n0.
+have ba : b - a != 0.
+  by rewrite -unitfE /a /b (_ : n + k = k + n)%N 1?(_ : k + n - 1 = k + n.-1)%N; [apply: spd; lia | lia | lia].
+split; first by rewrite eq_sym -subr_eq0.
+have := Value_inj e; rewrite !deboor_drop (_ : n + k.+1 - 2 = n + k - 1)%N 1?(_ : n + k.+1 - 1 = n + k)%N; [|lia|lia].
+rewrite -/a -/b => -[<- <-]; apply/rowP=> j; rewrite !mxE blossoms_derivative // hornerMn horner_velocity //.
+have -> : direction F = comb (b - a)^-1 (at_ b) (- (b - a)^-1) (at_ a).
+  by rewrite /comb /direction /at_ /=; congr (_, _); field.
+rewrite (blossoms_multilinear _ _ [::]) -mulr_natl /=; move: (blossom _ _ _) (blossom _ _ _) n%:R => x y N; by field.
 Qed.
 End Equal.

@@ -106,9 +106,10 @@ Qed.
 Theorem BZZ19_5_program e i : (i < size e)%N -> at_list (steps_program K e) i = \sum_(0 <= j < i.+1) at_list e j ^+ 2.
 Proof. by move=> lt_i; rewrite nth_mkseq // totalE. Qed.
 
-Lemma raiseE c : (size c)%:R != 0 :> F -> (0 < size c)%N -> pbez (size c) (at_list (raise K V c)) = pbez (size c).-1 (at_list c).
+Lemma raiseE c : (size c)%:R != 0 :> F -> pbez (size c) (at_list (raise K V c)) = pbez (size c).-1 (at_list c).
 Proof.
-case: c => // p c nz _; rewrite [(size (p :: c)).-1]/=; apply/rowP=> k; rewrite !mxE; set d := p :: c.
+case: c => [|p c] nz; first by case/eqP: nz.
+rewrite [(size (p :: c)).-1]/=; apply/rowP=> k; rewrite !mxE; set d := p :: c.
 have e : (size d)%:R%:P * bez (size c) (coord (at_list d) k) = (size d)%:R%:P * bez (size d) (coord (at_list (raise K V d)) k).
   rewrite BZZ19_15_elevation -bez_scale; apply: bez_ext => i le_i; rewrite /coord nth_mkseq // !of_natE /= !mxE /prev.
   by rewrite mulrA mulfV // mul1r.
@@ -118,17 +119,17 @@ Qed.
 Lemma size_raise c : size (raise K V c) = (size c).+1.
 Proof. exact: size_mkseq. Qed.
 
+Lemma size_elevation c k : size (elevation_program K V c k) = (size c + k)%N.
+Proof. by elim: k => [|k ih]; rewrite ?addn0 // /elevation_program iterS size_raise -/(elevation_program K V c k) ih addnS. Qed.
+
 (** BZZ19.15 program: the program that raises the degree $k$ times gives the points of the same curve.
-    Hypotheses: characteristic 0 or greater than the new degree; there are points. *)
-Theorem BZZ19_15_program c k : good F (size c + k) -> (0 < size c)%N ->
+    Hypotheses: $n+1,\dots,n+k$, for $n+1$ points, are not 0 in the field. *)
+Theorem BZZ19_15_program c k : (forall i, (size c <= i < size c + k)%N -> i%:R != 0 :> F) ->
   pbez (size c + k).-1 (at_list (elevation_program K V c k)) = pbez (size c).-1 (at_list c).
 Proof.
-move=> g c0; have sz j : size (elevation_program K V c j) = (size c + j)%N.
-  by elim: j => [|j ih]; rewrite ?addn0 // /elevation_program iterS size_raise -/(elevation_program K V c j) ih addnS.
-elim: k g => [|k ih] g; first by rewrite addn0.
-rewrite -ih; last by apply: good_le g; rewrite addnS.
+elim: k => [|k ih] nz; first by rewrite addn0.
+rewrite -ih => [|i /andP[le_i lt_i]]; last by apply: nz; rewrite le_i addnS leqW.
 have -> : elevation_program K V c k.+1 = raise K V (elevation_program K V c k) by [].
-have c1 : (0 < size c + k)%N by rewrite addn_gt0 c0.
-by rewrite addnS [_.+1.-1]/= -(sz k) raiseE ?sz //; apply: (good_nat g); rewrite c1 addnS leqnSn.
+by rewrite addnS [_.+1.-1]/= -(size_elevation c k) raiseE ?size_elevation //; apply: nz; rewrite leq_addr addnS ltnSn.
 Qed.
 End Equal.

@@ -8,14 +8,10 @@
      products_of N w a b             N.a, N.b, N.w
      squares_of N w a b, unit_of N   the sum of their squares; (N.N - 1)^2
      vertex_program n u b k i        c_i from the Bezier points b of piece k *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Segments Insertion FJ07_3_net FJ07_4 FJ21_4 BZZ19_3 BZZ19_5 Executable Executable_knots Executable_net
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Segments Insertion FJ07_3_net FJ07_4 FJ21_4 BZZ19_3 BZZ19_5 Executable Executable_knots Executable_net
   Executable_determinant Executable_rulings Executable_splines.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From mathcomp Require Import ssrnum.
+Import Num.Theory.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q) (x y z : Q -> T).
@@ -153,6 +149,13 @@ rewrite /determinant_of triple_ofE BZZ19_7_common /products_of; split=> -[N].
   by case=> nz ea eb ew; exists N; rewrite !innerE ea eb ew.
 by case=> nz [ea eb ew]; exists N.
 Qed.
+
+(** BZZ19.9 program: the program gives $(|N|^2-1)^2$, which is 0 iff $N$ is a unit vector. *)
+Theorem BZZ19_9_program N (s := unit_of K X_ Y_ Z_ N) : s = (dot N N - 1) ^+ 2 /\ (s = 0 <-> dot N N = 1).
+Proof.
+have e : s = (dot N N - 1) ^+ 2 by rewrite expr2.
+by rewrite e; split=> //; split=> [/eqP|->]; [rewrite sqrf_eq0 subr_eq0 => /eqP | rewrite subrr expr0n].
+Qed.
 End Conditions.
 
 Section Squares.
@@ -170,10 +173,4 @@ rewrite e; split=> //; split=> [/eqP|[ea eb ew]]; rewrite ?E2_zero; first by cas
 by apply/eqP; rewrite E2_zero ea eb ew eqxx.
 Qed.
 
-(** BZZ19.9 program: the program gives $(|N|^2-1)^2$, which is 0 iff $N$ is a unit vector. *)
-Theorem BZZ19_9_program N (s := unit_of K (@x_ F) (@y_ F) (@z_ F) N) : s = (dot N N - 1) ^+ 2 /\ (s = 0 <-> dot N N = 1).
-Proof.
-have e : s = (dot N N - 1) ^+ 2 by rewrite expr2.
-by rewrite e; split=> //; split=> [/eqP|->]; [rewrite sqrf_eq0 subr_eq0 => /eqP | rewrite subrr expr0n].
-Qed.
 End Squares.

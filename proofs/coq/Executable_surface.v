@@ -13,14 +13,10 @@
      first_net, second_net      the points of C_1 and of C_2 o sigma between two breakpoints, of degree D
      glued nets                 the nets one after the other, each without its first point but the first
      surface_program            the knots and the two rows *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Blossom Curves Points Bernstein Bezier Segments Insertion BZZ19_3 BZZ19_4 BZZ19_4_pieces BZZ19_4_written FJ21_4 Executable Executable_knots
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Segments Insertion BZZ19_3 BZZ19_4 BZZ19_4_pieces BZZ19_4_written FJ21_4 Executable Executable_knots
   Executable_splines Executable_composition Executable_mappings Executable_joints Executable_elimination.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Programs.
 Variables (T Q : Type) (K : scalars T) (V : points T Q).
@@ -165,12 +161,12 @@ Lemma restricted_scalar d w b k s t i : (i <= d)%N ->
   at_list (restricted_points K (itself K) d w b k s t) i = segment s t d (drop_ k.-1 (at_list w)) (drop_ k.-1 (at_list b)) i.
 Proof. by move=> le_i; rewrite nth_mkseq // drop_scalar. Qed.
 
-Lemma size_elevation c k : size (elevation_program K V c k) = (size c + k)%N.
-Proof. by elim: k => [|k ih]; rewrite ?addn0 // /elevation_program iterS size_raise -/(elevation_program K V c k) ih addnS. Qed.
-
 Lemma elevationE c k D : good [fieldType of F] D.+1 -> (0 < size c)%N -> (size c + k)%N = D.+1 ->
   pbez D (at_list (elevation_program K V c k)) = pbez (size c).-1 (at_list c).
-Proof. by move=> g c0 sz; have := @BZZ19_15_program [fieldType of F] 3 (fun x y : F => x < y) c k; rewrite sz; apply. Qed.
+Proof.
+move=> g c0 sz; have := @BZZ19_15_program [fieldType of F] 3 (fun x y : F => x < y) c k; rewrite sz; apply=> i /andP[le_i lt_i].
+by apply: (good_nat g); rewrite (leq_trans c0 le_i) ltnW.
+Qed.
 
 Lemma in_left y w u : y \in w -> y \in w ++ u.
 Proof. by move=> yw; rewrite mem_cat yw. Qed.
@@ -209,7 +205,7 @@ have nz : B - A != 0 by rewrite /A /B elo ehi subr_eq0 gt_eqF.
 have [sp_ sf] : size pts = p.+1 /\ size f = d.+1 by rewrite /f size_map /pts /restricted_points !size_mkseq.
 have ind : independent [fieldType of F] (p * d) by apply: good_independent; apply: good_le g; exact: leqW.
 have ind2 : independent [fieldType of F] ((size pts).-1 * (size f).-1) by rewrite sp_ sf.
-have [h _] := @BZZ19_13_program [fieldType of F] 3 (fun x y : F => x < y) pts f ind2.
+have [/(_ _ ind2) h _] := @BZZ19_13_program [fieldType of F] 3 (fun x y : F => x < y) pts f.
 have [sq eq] := h q E; rewrite sp_ sf /= in sq eq.
 rewrite -elo in last_v; exists k2.-1; first by rewrite -elo -ehi; split.
 rewrite size_elevation sq addSn subnKC //; split=> //; rewrite elevationE ?sq // ?addSn ?subnKC //.

@@ -52,10 +52,11 @@ have le_j : (size q <= j)%N by rewrite sq1.
 by rewrite !nth_default ?mulr0 ?subr0 // -e_s.
 Qed.
 
-Lemma constant_poly p : (forall i, i.+1%:R != 0 :> F) -> p^`() = 0 -> p = (p`_0)%:P.
+Lemma constant_poly p : (forall i, (i.+1 < size p)%N -> i.+1%:R != 0 :> F) -> p^`() = 0 -> p = (p`_0)%:P.
 Proof.
-move=> nz e; apply/polyP=> -[|i]; rewrite coefC //=; have := congr1 (fun f : {poly F} => f`_i) e; rewrite coef_deriv coef0.
-by rewrite -mulr_natr => /eqP; rewrite mulf_eq0 (negPf (nz i)) orbF => /eqP.
+move=> nz e; apply/polyP=> -[|i]; rewrite coefC //=; have [le_i|lt_i] := leqP (size p) i.+1; first by rewrite nth_default.
+have := congr1 (fun f : {poly F} => f`_i) e; rewrite coef_deriv coef0.
+by rewrite -mulr_natr => /eqP; rewrite mulf_eq0 (negPf (nz i lt_i)) orbF => /eqP.
 Qed.
 End Wronskian.
 
@@ -163,7 +164,7 @@ Proof.
 move=> nz /ZW06_9_derivative; rewrite -/(regression p w b) => e ab; move: e; rewrite ab subrr scale0r => e.
 exists (\row_k (regression p w b 0 k)`_0) => u v.
 have -> : \row_k (regression p w b 0 k)`_0 = ev (regression p w b) u.
-  apply/rowP=> k; rewrite !mxE; have := congr1 (fun r : 'rV__ => r 0 k) e; rewrite !mxE => /(constant_poly nz) e_k.
+  apply/rowP=> k; rewrite !mxE; have := congr1 (fun r : 'rV__ => r 0 k) e; rewrite !mxE => /(constant_poly (fun i _ => nz i)) e_k.
   by rewrite [in RHS]e_k hornerC.
 by rewrite ev_regression scalerDl addrACA addNr addr0.
 Qed.
