@@ -61,6 +61,15 @@ rewrite -(mulr_natl e) -(mulr_natl v); move: (n%:R) => k w0 x0 y0 h0 eh; move: h
 by field; rewrite w0 x0 y0 h0.
 Qed.
 
+Lemma affine_step (L : fieldType) (p q : 'rV[L]_4) (x y h : L) n (c := fun r : 'rV[L]_4 => (weight r)^-1 *: place r) :
+  weight p != 0 -> weight (p + x *: q) != 0 -> weight (p + y *: q) != 0 -> h != 0 -> y - x = h ->
+  (weight p ^+ 2)^-1 *: (weight p *: place (q *+ n) - weight (q *+ n) *: place p)
+    = (n%:R * weight (p + x *: q) * weight (p + y *: q) / (h * weight p ^+ 2)) *: (c (p + y *: q) - c (p + x *: q)).
+Proof.
+move=> w0 x0 y0 h0 eh; apply/rowP=> k; move: w0 x0 y0; rewrite /c /weight /place !mxE !mulmxnE => w0 x0 y0.
+exact: quotient_step.
+Qed.
+
 Lemma det_points (L : fieldType) (p q r s : 'rV[L]_4) (c := fun x : 'rV[L]_4 => (weight x)^-1 *: place x) :
   weight p != 0 -> weight q != 0 -> weight r != 0 -> weight s != 0 ->
   \det (rows4 p q r s) = weight p * weight q * weight r * weight s * triple (c q - c p) (c r - c p) (c s - c p).
@@ -110,22 +119,24 @@ Theorem FJ21_3_2_derivative n u c a b (p := pcurve n u c) (p0 := last_point n u 
   span n u -> a != b -> weight p != 0 -> weight p0 != 0 -> weight p1 != 0 ->
   pfderiv (affine p) = ((n%:R * weight p0 * weight p1)%:F / ((b - a)%:P * weight p ^+ 2)%:F) *: (affine p1 - affine p0).
 Proof.
-move=> sp ab w0; rewrite pfderiv_affine // pderiv_curve //; case: (posnP n) => [n0|n0].
-  have -> : n%:R = 0 :> {poly F} by rewrite n0.
-  have -> : pvelocity n u c *+ n = 0 by rewrite [in _ *+ n]n0 mulr0n.
-  move=> _ _; rewrite !mul0r scale0r; apply/rowP=> k; rewrite /weight /place /pfun !mxE ?tofrac0.
-  by rewrite ?(mulr0, mul0r, subr0).
-rewrite {}/p0 {}/p1 !last_pointE // -/p; move: (pvelocity n u c) => q; clearbody p => a0 b0.
-have h0 : ((b - a)%:P)%:F != 0 :> K by rewrite tofrac_eq0 polyC_eq0 subr_eq0 eq_sym.
-have eh : (b%:P - 'X)%:F - (a%:P - 'X)%:F = ((b - a)%:P)%:F :> K.
-  by rewrite -tofracB polyCB opprB addrA subrK.
-pose w := p 0 0; pose v := q 0 0.
-have w0' : w%:F != 0 by rewrite tofrac_eq0.
-have a0' : w%:F + (a%:P - 'X)%:F * v%:F != 0 by move: a0; rewrite -tofracM -tofracD tofrac_eq0 /w /v /weight !mxE.
-have b0' : w%:F + (b%:P - 'X)%:F * v%:F != 0 by move: b0; rewrite -tofracM -tofracD tofrac_eq0 /w /v /weight !mxE.
-apply/rowP=> k; have := quotient_step (p 0 (lift ord0 k))%:F (q 0 (lift ord0 k))%:F n w0' a0' b0' h0 eh.
-rewrite /affine /weight /place /w /v !mxE !mulmxnE; move: (a%:P - 'X) (b%:P - 'X) => x y e.
-by rewrite !(tofracM, tofracD, tofracX, tofracMn) tofrac1.
+move=> sp ab w0 a0 b0; rewrite (pfderiv_affine w0) (pderiv_curve c sp).
+have -> : pfun (pvelocity n u c *+ n) = pfun (pvelocity n u c) *+ n by apply/rowP=> k; rewrite !(mxE, mulmxnE) tofracMn.
+have [n0|n0] := posnP n.
+  have zn : n%:R = 0 :> {poly F} by rewrite n0.
+  have zq (r : 'rV[K]_4) : r *+ n = 0 by rewrite n0 mulr0n.
+  have z0 : place 0 = 0 :> 'rV[K]_3 by apply/rowP=> k; rewrite !mxE.
+  have wz : weight (0 : 'rV[K]_4) = 0 by rewrite /weight mxE.
+  by rewrite zq zn !mul0r z0 wz !scale0r ?(scaler0, subr0).
+have e x : pfun (last_point n u c x) = pfun p + (x%:P - 'X)%:F *: pfun (pvelocity n u c) by rewrite (last_pointE u c x n0) pfunD pfunZ.
+have := (e a, e b); rewrite -/p0 -/p1; move: (pfun (pvelocity n u c)) => q; move: w0 a0 b0; clear e; clearbody p p0 p1 => w0 a0 b0 [e0 e1].
+have -> : (n%:R * weight p0 * weight p1)%:F / ((b - a)%:P * weight p ^+ 2)%:F
+    = n%:R * weight (pfun p0) * weight (pfun p1) / ((b - a)%:P%:F * weight (pfun p) ^+ 2).
+  rewrite !weightE; move: (weight p0) (weight p1) (weight p) (b - a)%:P => x y w h.
+  by rewrite !expr2 !tofracM (rmorph_nat [rmorphism of @FracField.tofrac [idomainType of {poly F}]]).
+rewrite /affine e0 e1; rewrite -weight_fun e0 in a0; rewrite -weight_fun e1 in b0.
+apply: affine_step => //; first by rewrite weight_fun.
+  by rewrite tofrac_eq0 polyC_eq0 subr_eq0 eq_sym.
+by rewrite -tofracB polyCB opprB addrA subrK.
 Qed.
 
 Lemma det_last n u c d a b : span n u -> (b - a) ^+ 2 *: \det (rows4 (pcurve n u c) (pderiv (pcurve n u c)) (pcurve n u d) (pderiv (pcurve n u d)))

@@ -79,21 +79,38 @@ Let u i : F := i%:R.
 Let c := nth (0 : 'rV[F]_4) [:: row4 1 0 0 0; row4 1 1 0 2%:R; row4 2%:R 3%:R 1 0].
 Let d := nth (0 : 'rV[F]_4) [:: row4 1 0 1 1; 10%:R^-1 *: row4 9%:R 3%:R 8%:R 14%:R; 20%:R^-1 *: row4 (- 13%:R) (- 61%:R) (- 6%:R) 82%:R].
 
+(* f of numbers; the structures are found once here and not at every place. *)
+Let f0 : f 0 = 0 := rmorph0 f.
+Let f1 : f 1 = 1 := rmorph1 f.
+Let fn k : f k%:R = k%:R := rmorph_nat f k.
+Let fN x : f (- x) = - f x := rmorphN f x.
+Let fM x y : f (x * y) = f x * f y := rmorphM f x y.
+Let fV x : f x^-1 = (f x)^-1 := fmorphV f x.
+Let fE := (fM, fN, fV, fn, f0, f1).
+
+Lemma cells_rows (c' d' : nat -> 'rV[F]_4) k L M s p0 p1 p2 p3 q0 q1 q2 q3 r0 r1 r2 r3 t0 t1 t2 t3 :
+  c' k = row4 p0 p1 p2 p3 -> c' k.+1 = row4 q0 q1 q2 q3 -> d' k = row4 r0 r1 r2 r3 -> d' k.+1 = row4 t0 t1 t2 t3 -> cells f u c' d' k L M s <->
+  [/\ (f (u k.+1) - L) * f p0 + (L - f (u k)) * f q0 = s * ((f (u k.+1) - M) * f r0 + (M - f (u k)) * f t0),
+      (f (u k.+1) - L) * f p1 + (L - f (u k)) * f q1 = s * ((f (u k.+1) - M) * f r1 + (M - f (u k)) * f t1),
+      (f (u k.+1) - L) * f p2 + (L - f (u k)) * f q2 = s * ((f (u k.+1) - M) * f r2 + (M - f (u k)) * f t2)
+    & (f (u k.+1) - L) * f p3 + (L - f (u k)) * f q3 = s * ((f (u k.+1) - M) * f r3 + (M - f (u k)) * f t3)].
+Proof. by move=> -> -> -> ->; rewrite /= !row4_nth. Qed.
+
 Lemma cells_first L M s : 10%:R != 0 :> F -> cells f u c d 0%N L M s <-> [/\ L = 3%:R, M = 5%:R & s = 2%:R].
 Proof.
-rewrite -(fmorph_eq0 f) rmorph_nat => n10; rewrite /u /c /d /= !row4Z !row4_nth /= !(rmorphM, fmorphV, rmorph_nat, rmorph0, rmorph1).
+rewrite -(fmorph_eq0 f) fn => n10; rewrite (cells_rows (c' := c) (d' := d) (k := 0%N) _ _ _ erefl erefl erefl (row4Z _ _ _ _ _)) /u !fE.
 exact: first_cell.
 Qed.
 
 Lemma cells_second L M s : 70%:R != 0 :> F -> cells f u c d 1%N L M s <-> [/\ L = 4%:R, M = -1 & s = 1].
 Proof.
-rewrite -(fmorph_eq0 f) rmorph_nat => n70; rewrite /u /c /d /= !row4Z !row4_nth /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1).
+rewrite -(fmorph_eq0 f) fn => n70; rewrite (cells_rows (c' := c) (d' := d) (k := 1%N) _ _ _ erefl erefl (row4Z _ _ _ _ _) (row4Z _ _ _ _ _)) /u !fE.
 exact: second_cell.
 Qed.
 
 Lemma cells_seven : 7%:R = 0 :> F -> cells f u c d 1%N 2%:R 1 3%:R.
 Proof.
-rewrite /u /c /d /= !row4Z !row4_nth /= !(rmorphM, rmorphN, fmorphV, rmorph_nat, rmorph0, rmorph1) => /(congr1 f); rewrite rmorph0 rmorph_nat => n7.
+move=> /(congr1 f); rewrite f0 fn => n7; apply/(cells_rows (c' := c) (d' := d) (k := 1%N) _ _ _ erefl erefl (row4Z _ _ _ _ _) (row4Z _ _ _ _ _)); rewrite /u !fE.
 have n10 : 10%:R != 0 :> E.
   by apply/eqP=> n10; have /eqP := oner_neq0 E; apply; apply: (by_multiple (z := 1) (congr2 (fun x y => 3%:R * x - 2%:R * y) n7 n10)); ring.
 by rewrite !subrr !mul0r !addr0 !add0r; split; apply: (mulfI n10); [apply: (by_multiple (z := -1) n7) | apply: (by_multiple (z := 3%:R) n7) | apply: (by_multiple (z := - 2%:R) n7) | apply: (by_multiple (z := - 6%:R) n7)];
@@ -106,8 +123,11 @@ Let b := nth (0 : 'rV[F]_4) [:: row4 1 0 1 0; row4 1 0 2%:R 0; row4 1 0 4%:R 1].
 Lemma cells_pieces : [/\ cells f u a b 0%N 0 (-1) 1, cells f u a b 1%N 0 0 1
   & forall L M s, ~ (cells f u a b 0%N L M s /\ cells f u a b 1%N L M s)].
 Proof.
-rewrite /u /a /b /= !row4_nth /= !(rmorph_nat, rmorph0, rmorph1); split=> [||L M s]; [by split; ring | by split; ring |].
-by case=> -[s1 _ h2 _] [_ l1 _ g3]; exact: no_common_triple s1 h2 l1 g3.
+pose rows k := @cells_rows a b k; split=> [||L M s [/(rows 0%N _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ erefl erefl erefl erefl) h
+    /(rows 1%N _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ erefl erefl erefl erefl)]].
+- by apply/(rows 0%N _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ erefl erefl erefl erefl); rewrite /u !fE; split; ring.
+- by apply/(rows 1%N _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ erefl erefl erefl erefl); rewrite /u !fE; split; ring.
+by move: h; rewrite /u !fE => -[s1 _ h2 _] [_ l1 _ g3]; exact: no_common_triple s1 h2 l1 g3.
 Qed.
 End Examples.
 
