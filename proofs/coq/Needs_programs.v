@@ -2,7 +2,7 @@
    (Needs_FJ21.v, ...) do not say it already. *)
 From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Functions BZZ19_3 BZZ19_3_range BZZ19_4 BZZ19_4_written FJ21_2 FJ21_3 FJ21_3_needs FJ21_4 FJ21_5 FJ21_5_changes FJ21_6_theorem.
 From Torse Require Import Needs_blossoms Needs_FJ07 Needs_FJ21 Needs_FJ21_5 Needs_ZW06 Executable Executable_knots Executable_FJ21 Executable_changes Executable_determinant.
-From Torse Require Import Executable_edge Executable_rational Executable_composition Executable_splines Executable_directrix.
+From Torse Require Import Executable_edge Executable_rational Executable_composition Executable_splines Executable_mappings Executable_directrix.
 
 Ltac by_units := rewrite ?(mul0r, mulr0, mul1r, mulr1, add0r, addr0, subr0, sub0r, subrr, addNr, oppr0, mulrN1, mulN1r, mulrNN, opprK, invrN, invr1, oppr_eq0, oner_eq0).
 
@@ -174,6 +174,23 @@ move=> n0 sp; have -> : curve n u (fun i => k * greville n u i) = k%:P * curve n
   rewrite /curve -[RHS]addr0 -[X in _ + X](mul0r (curve n u (greville n u))) -blossom_linear; apply: blossom_ext => i _.
   by rewrite /polys polyCM mul0r addr0.
 by rewrite BZZ19_3_identity // -(polyC_nat F) n0 polyC0 mul0r mulr0 => /esym/eqP; rewrite polyX_eq0.
+Qed.
+
+(** BZZ19.3 coefficients_needs_piece: off the list there are no coefficients: for the knots $0,0,1,2$ of degree 2 the program gives $0,\frac12,\frac32$; with zeros behind
+    the lists the knots $0,1,2,0$ carry a piece, on which $\sigma(0)=1$.
+    Hypotheses: $2\ne0$ in the field. *)
+Theorem BZZ19_3_coefficients_needs_piece (u := [:: 0; 0; 1; 2%:R : F]) (r := [:: 0; 2%:R^-1; 3%:R / 2%:R : F]) : 2%:R != 0 :> F ->
+  [/\ greville_program (of_field (fun _ _ : F => false)) 2 u = Value r, span 2 (drop_ 1 (nth 0 u)) & (curve 2 (drop_ 1 (nth 0 u)) (drop_ 1 (nth 0 r))).[0] = 1].
+Proof.
+move=> n2; have e1 : 2%:R - 1 = 1 :> F by rewrite mulr2n addrK.
+have sp : span 2 (drop_ 1 (nth 0 u)).
+  by move=> [|[|//]] [|[|[|[|//]]]] // _ _; rewrite unitfE /drop_ /u /= ?subr0 ?sub0r ?e1 ?oppr_eq0 ?oner_eq0.
+split=> //; last first.
+  rewrite horner_curve // /= /step /shift /drop_ /u /r /= e1 !(mul1r, mulr1, subr0, sub0r, mul0r, mulr0, addr0, add0r, oppr0, divr1).
+  by field; rewrite n2.
+apply/knot_listP; split.
+  split=> // [[|[|//]] _ /=|]; rewrite /u /= eq_sym ?oner_eq0 //.
+by congr Value; rewrite /r /total /last_ /mkseq /= !(add0r, addr0) mul0r mul1r; congr [:: _; _; _ / _].
 Qed.
 End Rows.
 

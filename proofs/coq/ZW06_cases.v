@@ -157,14 +157,14 @@ by rewrite -scaleNr -subr_eq0 -scalerBl opprK scalemx_eq0 (negPf w0) orbF => /eq
 Qed.
 
 (** ZW06.10 cone: where $a=b'$ there is a vertex $e$ with $a(u)+v\tau(u)=e+\bar v\tau(u)$, $\bar v=v+b(u)$: all rulings pass through it.
-    Hypotheses: characteristic 0. *)
-Theorem ZW06_10_cone p w a b : (forall i, i.+1%:R != 0 :> F) -> pderiv p = a *: w + b *: pderiv w -> a = b^`() ->
+    Hypotheses: characteristic 0 or greater than the degree of $a_1=a(u)-b\tau$. *)
+Theorem ZW06_10_cone p w a b : (forall k i, (i.+1 < size (regression p w b 0%R k))%N -> i.+1%:R != 0 :> F) -> pderiv p = a *: w + b *: pderiv w -> a = b^`() ->
   exists e : 'rV[F]_3, forall u v, ev p u + v *: ev w u = e + (v + b.[u]) *: ev w u.
 Proof.
 move=> nz /ZW06_9_derivative; rewrite -/(regression p w b) => e ab; move: e; rewrite ab subrr scale0r => e.
 exists (\row_k (regression p w b 0 k)`_0) => u v.
 have -> : \row_k (regression p w b 0 k)`_0 = ev (regression p w b) u.
-  apply/rowP=> k; rewrite !mxE; have := congr1 (fun r : 'rV__ => r 0 k) e; rewrite !mxE => /(constant_poly (fun i _ => nz i)) e_k.
+  apply/rowP=> k; have := constant_poly (nz k); have := congr1 (fun r : 'rV__ => r 0 k) e; rewrite !mxE => e_k /(_ e_k) {}e_k.
   by rewrite [in RHS]e_k hornerC.
 by rewrite ev_regression scalerDl addrACA addNr addr0.
 Qed.
