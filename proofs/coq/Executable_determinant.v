@@ -101,8 +101,8 @@ by rewrite /len; move: (_ - a) => l; ring.
 Qed.
 
 (** FJ07.3 decides: the program that evaluates the determinant of a piece at $3n$ parameters says that it is refuted iff the piece is not developable.
-    Hypotheses: the knots carry the piece; $1,\dots,3n$ are not 0 in the field. *)
-Theorem FJ07_3_decides n u c d k : (0 < n)%N -> (forall i, (0 < i <= 3 * n)%N -> i%:R != 0 :> F) -> span n (drop_ k (at_list u)) ->
+    Hypotheses: the knots carry the piece; $1,\dots,3n-1$ are not 0 in the field. *)
+Theorem FJ07_3_decides n u c d k : (0 < n)%N -> (forall i, (0 < i < 3 * n)%N -> i%:R != 0 :> F) -> span n (drop_ k (at_list u)) ->
   ~~ refuted K V (@x_ F) (@y_ F) (@z_ F) n u c d k.+1 <-> developable (piece_of c n u k) (piece_of d n u k).
 Proof.
 move=> n0 nz sp; rewrite /refuted negbK; set f := det n u c d k.
@@ -116,7 +116,7 @@ apply: (@roots_geq_poly_eq0 _ f [seq j%:R | j <- iota 0 (3 * n)]).
   wlog le_ij : i j lt_i lt_j / (i <= j)%N.
     by move=> th e; case: (leqP i j) => [le_ij|/ltnW le_ji]; [apply: th | symmetry; apply: th].
   move/eqP; rewrite -subr_eq0 -opprB oppr_eq0 -natrB // => /eqP e; apply/eqP; rewrite eqn_leq le_ij /= leqNgt; apply/negP=> lt_ij.
-  have le_ji : (0 < j - i <= 3 * n)%N by rewrite subn_gt0 lt_ij (leq_trans (leq_subr _ _)) // ltnW.
+  have le_ji : (0 < j - i < 3 * n)%N by move: lt_ij lt_j; clear; lia.
   by have := nz _ le_ji; rewrite e eqxx.
 rewrite size_map size_iota (leq_trans (size_triple (i := n) (j := n) (k := n.+1) _ _ _)) //; last by lia.
 - by move=> l; rewrite !mxE; apply: size_deriv_le; exact: size_curve.
@@ -124,8 +124,8 @@ rewrite size_map size_iota (leq_trans (size_triple (i := n) (j := n) (k := n.+1)
 by move=> l; rewrite !mxE (leq_trans (size_add _ _)) // size_opp geq_max !size_curve.
 Qed.
 (** FJ07.3 check: the program gives 0 iff every piece of the list that the knots carry is developable, and else one that is not.
-    Hypotheses: the program gives a value; $1,\dots,3n$ are not 0 in the field. *)
-Theorem FJ07_3_check n u c d k : (forall i, (0 < i <= 3 * n)%N -> i%:R != 0 :> F) ->
+    Hypotheses: the program gives a value; $1,\dots,3n-1$ are not 0 in the field. *)
+Theorem FJ07_3_check n u c d k : (forall i, (0 < i < 3 * n)%N -> i%:R != 0 :> F) ->
   check_program K V (@x_ F) (@y_ F) (@z_ F) n u c d = Value k ->
   (k = 0%N <-> forall j, (j <= size u - n - n)%N -> span n (drop_ j (at_list u)) -> developable (piece_of c n u j) (piece_of d n u j)) /\
   forall j, k = j.+1 -> span n (drop_ j (at_list u)) /\ ~ developable (piece_of c n u j) (piece_of d n u j).

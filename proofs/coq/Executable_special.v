@@ -34,19 +34,19 @@ Local Notation K := (of_field lt).
 Local Notation V := (rows F m).
 Local Notation at_list := (nth 0).
 
-(** FJ07.4 program: the program gives $d_i=c_i+h_iv$, so that on every piece $d(t)-c(t)=h(t)\,v$, iff there is a length $h_i$ for each point.
-    Hypotheses: for the curves: the points of the piece are there. *)
+(** FJ07.4 program: the program gives $d_i=c_i+h_iv$, so that on every piece $d(t)-c(t)=h(t)\,v$, iff there is a length $h_i$ for each point. *)
 Theorem FJ07_4_program n u c v e k :
-  (forall r, cylinder_program K V c v e = Value r -> (k + n < size c)%N ->
+  (forall r, cylinder_program K V c v e = Value r ->
     pcurve n (drop_ k (at_list u)) (drop_ k (at_list r)) - pcurve n (drop_ k (at_list u)) (drop_ k (at_list c))
       = curve n (drop_ k (at_list u)) (drop_ k (at_list e)) *: fixed v) /\
   (cylinder_program K V c v e = Fails _ Lengths <-> size e <> size c).
 Proof.
-rewrite /cylinder_program nat_eqbE /given; case: eqP => sz; split=> // r er le_n.
+rewrite /cylinder_program nat_eqbE /given; case: eqP => sz; split=> // r er.
 rewrite -(Value_inj er); apply/rowP=> j; rewrite !mxE.
 apply/eqP; rewrite subr_eq addrC -[X in _ == X + _]mul1r -polyC1 [X in _ == _ + X]mulrC -curve_comb; apply/eqP.
-apply: blossom_ext => i; rewrite size_nseq => le_i; rewrite /polys /coord /drop_ nth_mkseq /= ?mxE ?mul1r 1?[v 0 j * _]mulrC //.
-by apply: leq_ltn_trans le_n; rewrite leq_add2l.
+apply: blossom_ext => i _; rewrite /polys /coord /drop_; have [lt_i|ge_i] := ltnP (k + i) (size c).
+  by rewrite nth_mkseq //= ?mxE ?mul1r 1?[v 0 j * _]mulrC.
+by rewrite !nth_default ?size_mkseq ?sz // mxE !(mulr0, addr0).
 Qed.
 
 (** FJ07.6 program: the program gives the vertex $a$ of the cone: rows with $d_i-d_{i-1}=\alpha(c_i-c_{i-1})$ have $d_i-a=\alpha(c_i-a)$; it gives an error
