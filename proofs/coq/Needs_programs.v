@@ -1,6 +1,7 @@
 (* The programs of the files Executable*.v: what happens without the hypotheses of their theorems, one counterexample each, where those of the formulas that they compute
    (Needs_FJ21.v, ...) do not say it already. *)
-From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Functions BZZ19_3 BZZ19_3_range BZZ19_4 BZZ19_4_written FJ21_2 FJ21_3 FJ21_3_needs FJ21_4 FJ21_5 FJ21_5_changes FJ21_6_theorem.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier Functions BZZ19_3 BZZ19_3_range BZZ19_4 BZZ19_4_written.
+From Torse Require Import FJ21_2 FJ21_3 FJ21_3_needs FJ21_4 FJ21_5 FJ21_5_changes FJ21_6_theorem.
 From Torse Require Import Needs_blossoms Needs_FJ07 Needs_FJ21 Needs_FJ21_5 Needs_ZW06 Executable Executable_knots Executable_FJ21 Executable_changes Executable_determinant.
 From Torse Require Import Executable_edge Executable_rational Executable_composition Executable_splines Executable_mappings Executable_directrix.
 
