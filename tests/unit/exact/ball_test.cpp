@@ -23,6 +23,16 @@ TYPED_TEST_SUITE(BallTest, Precisions);
 static_assert(RealField<Ball<64>>);
 static_assert(!ScalarTraits<Ball<64>>::exact);
 
+/// As many digits as the bits are worth: log10 of 2^24, 2^64 and 2^256 is 7.2, 19.3 and 77.1.
+TEST(Ball, TextHasTheDigitsOfItsBits) {
+  const auto begins = [](const std::string& text, std::size_t digits) {
+    return text.starts_with("[0." + std::string(digits, '3') + " +/- ");
+  };
+  EXPECT_TRUE(begins(as_text(Ball<24>(1) / Ball<24>(3)), 7));
+  EXPECT_TRUE(begins(as_text(Ball<64>(1) / Ball<64>(3)), 19));
+  EXPECT_TRUE(begins(as_text(Ball<256>(1) / Ball<256>(3)), 77));
+}
+
 TYPED_TEST(BallTest, ContainsTheExactValue) {
   using B = TypeParam;
   std::mt19937_64 random(3);

@@ -70,6 +70,22 @@ TEST(CommonZeros, AreFoundAtBothEnds) {
   EXPECT_EQ(found.direction[0].degree(), 1);
 }
 
+/// s^2 and t^2: whichever component has the highest power of t, nothing of it is lost.
+TEST(CommonZeros, OfNoneIsTheVectorItself) {
+  const BinaryForm<Q> low(std::vector<Q>{Q(1), Q(0), Q(0)});   // s^2
+  const BinaryForm<Q> high(std::vector<Q>{Q(0), Q(0), Q(1)});  // t^2
+  for (std::size_t place = 0; place < 3; ++place) {
+    FormVector<Q> v{low, low, low};
+    v[place] = high;
+    const VectorWithZeros found = without_common_zeros(v);
+    EXPECT_TRUE(found.zeros.empty());
+    for (std::size_t i = 0; i < 3; ++i) {
+      ASSERT_EQ(found.direction[i].degree(), 2);
+      for (int j = 0; j <= 2; ++j) EXPECT_EQ(found.direction[i][j], v[i][j]);
+    }
+  }
+}
+
 /// (s^2 + 3t^2)(s + 2t) t / ((s^2 + 3t^2)(s^2 + t^2)): the degree of both is 2 then.
 TEST(LowestTerms, AreTheSameQuotient) {
   const auto form = [](std::vector<Q> f) { return BinaryForm<Q>(std::move(f)); };

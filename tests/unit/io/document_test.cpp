@@ -94,6 +94,10 @@ TEST(Document, LimitsStopBeforeMemoryDoes) {
   std::string values = "[0";
   for (int i = 0; i < 2'200'000; ++i) values += ",0";
   EXPECT_NE(error_of(values + "]").find("at most 2097152 values"), std::string::npos);
+  // The list is a value too.
+  values.resize(2 * 2'097'151);
+  EXPECT_EQ(error_of(values + "]"), "no error");
+  EXPECT_NE(error_of(values + ",0]").find("at most 2097152 values"), std::string::npos);
 
   std::string keys = "{\"k\":0";
   for (int i = 0; i < 64; ++i) keys += ",\"k" + std::to_string(i) + "\":0";
