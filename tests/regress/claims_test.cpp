@@ -172,6 +172,7 @@ TEST(Example, EveryPrintedValueOfTheWorkedExample) {
   EXPECT_EQ(report.exit, 0);
   const json examples = json::parse(report.out).at("examples");
   EXPECT_FALSE(examples.empty());
+  EXPECT_EQ(json::parse(report.out).at("torse"), 1);
   EXPECT_THAT(report.out, Not(HasSubstr("false")));
 }
 

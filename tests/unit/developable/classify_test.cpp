@@ -192,6 +192,20 @@ TEST(Classify, AConeThatGoesOnAsAPlane) {
   EXPECT_EQ(changed.classified().kind, SurfaceClass::tangent);
 }
 
+/// A piece of a cone and one in a plane through its vertex 0, whose rulings from (1, t, 0) to (2 - t, 2t, 0) leave it
+/// behind: t^2 times the plane's normal tells, only the last coefficient of the three.
+TEST(Classify, AConeThatGoesOnInAPlaneThroughItsVertexOnly) {
+  const KnotList<Q> u(1, {Q(0), Q(1), Q(2)});
+  const std::vector<Q> ones(3, Q(1));
+  const auto kind = [&](const Point3& c, const Point3& d) {
+    const Net folded{u, {{point(1, 1, 1), point(1, 0, 0), c}, ones}, {{point(2, 2, 2), point(2, 0, 0), d}, ones}};
+    EXPECT_TRUE(folded.developable());
+    return folded.classified().kind;
+  };
+  EXPECT_EQ(kind(point(1, 1, 0), point(2, 2, 0)), SurfaceClass::cone);
+  EXPECT_EQ(kind(point(1, 1, 0), point(1, 2, 0)), SurfaceClass::tangent);
+}
+
 TEST(Classify, PointsThatActOnNoPieceDoNotCount) {
   // The domain begins at the double knot 1, so that c_0 and d_0 do not act on it.
   const KnotList<Q> u(2, {Q(0), Q(1), Q(1), Q(2), Q(2)});

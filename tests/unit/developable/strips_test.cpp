@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,30 @@ TEST(QuadDeviation, ReachesTheMiddleOfTheLongerDiagonal) {
     const double bound = quad_deviation(point(0, 0, 0), point(1, 0, 0), point(0, 1, 0), point(1, 1, z));
     EXPECT_GE(bound, z / 2 / std::sqrt(1 + 2 * z * z));
     EXPECT_LE(bound, z / 2 * (1 + 1e-12));
+  }
+}
+
+/// The bound is as large as the quadrangle, whatever it looks like: lifted, seen convex or not, folded, flat.
+TEST(QuadDeviation, ScalesWithTheQuadrangle) {
+  std::mt19937 random(5);
+  const auto coordinate = [&] { return static_cast<int>(random() % 19) - 9; };
+  for (int trial = 0; trial < 200; ++trial) {
+    std::array<Vec<Interval, 3>, 4> corners;
+    for (auto& x : corners) {
+      const int a = coordinate();
+      const int b = coordinate();
+      x = point(a, b, trial % 3 == 0 ? 0 : coordinate());
+    }
+    const auto bound = [&](double size) {
+      std::array<Vec<Interval, 3>, 4> x;
+      for (std::size_t i = 0; i < 4; ++i) {
+        for (int k = 0; k < 3; ++k) x[i][k] = Interval::point(size) * corners[i][k];
+      }
+      return quad_deviation(x[0], x[1], x[2], x[3]);
+    };
+    for (const double size : {0x1p-20, 0x1p20}) {
+      EXPECT_NEAR(bound(size) / size, bound(1), 1e-12 * bound(1)) << trial;
+    }
   }
 }
 

@@ -24,6 +24,13 @@ TEST(Sagitta, IsTheHeightOfAnIsoscelesTriangle) {
   EXPECT_LE(found, 4 * (1 + 1e-15));
 }
 
+/// A chord that is longer than its curve, by rounding or by more, leaves no room.
+TEST(Sagitta, IsNothingWhereTheChordIsLonger) {
+  arb::Complex chord;
+  acb_set_si(chord.get(), 2);
+  EXPECT_EQ(sagitta(arb::real(Q(1), 64), chord), 0);
+}
+
 Rows rows(const std::vector<std::array<double, 3>>& points) {
   Rows result;
   for (const auto& x : points) {
