@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "torse/exact/unroll/stretch.hpp"
 #include "unit/exact/unroll_surfaces.hpp"
 
 namespace torse::test {
@@ -32,6 +33,24 @@ TEST(PieceStrips, BreakBesideARailThatIsAPoint) {
   const std::vector<SingularSet> obstacles = find_obstacles(triangle.strips());
   ASSERT_EQ(obstacles.size(), 1U);
   EXPECT_EQ(obstacles.front().reason, Singularity::stationary);
+}
+
+/// x = 2t^3 - 3t turns back at t = 1/sqrt 2: what is around that is a stretch of its own, the only one where a factor
+/// vanishes. The mark 1/2 cuts, too.
+TEST(Stretches, BreakInsideOneOnly) {
+  const Surface surface = bezier(rows({{0, 0, 0}, {-1, 1, 0}, {-2, 2, 0}, {-1, 3, 0}}),
+                                 rows({{0, 1, 0}, {-1, 2, 0}, {-2, 3, 0}, {-1, 4, 0}}));
+  const std::vector<Stretch> found = stretches(surface.strips().front(), {ratio<Q>(1, 2)});
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(found[1].from(), ratio<Q>(1, 2));
+  EXPECT_EQ(found[3].to(), Q(1));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(found[i].breaking(), i == 2) << i;
+    EXPECT_EQ(found[i].from(), i > 0 ? found[i - 1].to() : Q(0));
+  }
+  const auto square = [](const Q& x) { return x * x; };
+  EXPECT_LT(square(found[2].from()), ratio<Q>(1, 2));
+  EXPECT_GT(square(found[2].to()), ratio<Q>(1, 2));
 }
 
 TEST(PieceStrips, DoNotBreakAtTheirEndsOrBeyond) {
