@@ -69,7 +69,7 @@ TEST(Overlap, TheCrossingIsWhereTheEdgesMeet) {
     ASSERT_EQ(overlap.meetings.size(), 1U);
     EXPECT_NEAR(overlap.meetings[0].at.x, 25.0 / 6, 1e-14);
     EXPECT_NEAR(overlap.meetings[0].at.y, 43.0 / 12, 1e-14);
-    std::ranges::rotate(points, points.begin() + 1);
+    std::rotate(points.begin(), points.begin() + 1, points.end());
   }
 }
 
