@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
 
 #include "cad/iges_text.hpp"
 #include "support/program.hpp"
@@ -263,6 +265,28 @@ TEST_F(Iges, RulingsByArcLengthNeedOneRatioOfSpeedsForAllPieces) {
   ASSERT_EQ(read.size(), 1U);
   EXPECT_FALSE(read[0].surface);
   EXPECT_THAT(read[0].remark, HasSubstr("arc length"));
+}
+
+/// The global section, field by field: two separators that are the usual ones, who wrote it, 32 bits, 38 and 6, 308 and
+/// 15 for numbers, no receiver, scale 1, millimetres (2), line weights, when it was written (2-digit year), the
+/// tolerance and the largest coordinate of the whole, no author, version 5.3 (11), no drafting standard, when it was
+/// changed (4-digit year).
+TEST_F(Iges, TheHeaderOfWhatIsWritten) {
+  const std::string source = (scratch / "square.json").string();
+  spill(source, R"({"torse": 1, "type": "ruled", "degree": 1, "knots": ["0", "1"],
+                    "c": {"points": [["0", "0", "0"], ["3", "0", "0"]]},
+                    "d": {"points": [["0", "1", "0"], ["-1", "1", "0"]]}})");
+  const std::string written = (scratch / "square.igs").string();
+  ASSERT_EQ(run_program({"convert", source, "-o", written}).exit, 0);
+  std::string global;
+  std::istringstream lines(slurp(written));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() >= 73 && line[72] == 'G') global += line.substr(0, 72);
+  }
+  const std::regex expected(
+      R"(,,5Htorse,9Htorse\.igs,5Htorse,5Htorse,32,38,6,308,15,,1\.,2,2HMM,1,0\.01, *13H\d{6}\.\d{6},1E-07,3\.,,,11,0,)"
+      R"(15H20\d{6}\.\d{6}; *)");
+  EXPECT_TRUE(std::regex_match(global, expected)) << global;
 }
 
 }  // namespace
