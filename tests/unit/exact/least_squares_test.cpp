@@ -53,6 +53,18 @@ TEST(FittedSurface, ThatOfTheSpaceComesBack) {
 
 /// (t, |t|^m, 0) for t < 0 and (t, k t^m, 0) for t > 0: with the interval [-2, 0] on one side and [0, 1] on the other,
 /// in Bezier points of degree 2. The m-th derivative over m! jumps by k - (-1)^m.
+/// One piece of degree 1 has no point of its own: both ends are given, whatever the samples are.
+TEST(FittedSurface, OfEndsAlone) {
+  const KnotList<double> u = bezier_knots<double>(1);
+  const DoubleSurface like(u, {{0, 0, 0}, {1, 2, 3}}, {{4, 0, 0}, {5, 6, 7}});
+  for (const std::vector<SurfaceSample>& samples :
+       {std::vector<SurfaceSample>{}, std::vector<SurfaceSample>{{0.5, {9, 9, 9}, {-9, 9, 9}}}}) {
+    const auto found = fitted_surface(u, samples, like);
+    ASSERT_TRUE(found);
+    expect_near(*found, like);
+  }
+}
+
 TEST(RemovalCosts, AreJumpsOfTheFirstFreeDerivative) {
   const KnotList<double> twice = knots_with(2, -2, 1, {{0, 2}});
   // Slopes -1 and k = 3 of the row c, of which the jump is 4; the row d is straight.
