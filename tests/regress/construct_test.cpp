@@ -142,6 +142,37 @@ TEST_F(Construct, AnIrrationalBranchIsExactlyDevelopable) {
             last[1] * last[1]);
 }
 
+/// Over the knots 0, r, 2, 3 the heights 0, D_0, D_0 + D_1, 1 with D_0 = -1/3, D_2 = 7 / (9 - 3r) and
+/// D_1 = (2 - r) D_2 - 1 make the polynomial M^2 - 2: F is -2 at 0, 2 at 2 and 7 at 3. With r = p/q from
+/// p^2 - 2q^2 = 1 the branch sqrt 2 is within 2^-77 of the knot r, which 64 bits do not tell from it.
+TEST_F(Construct, ABranchBesideAKnotIsToldFromIt) {
+  std::int64_t p = 1, q = 1;
+  for (int i = 1; i < 30; ++i) {
+    const std::int64_t next = p + 2 * q;
+    q += p;
+    p = next;
+  }
+  ASSERT_EQ(Q(p) * Q(p) - Q(2) * Q(q) * Q(q), Q(1));
+  const Q r = ratio<Q>(p, q);
+  const Q d2 = Q(7) / (Q(9) - Q(3) * r);
+  const Q d0 = ratio<Q>(-1, 3);
+  const Q d1 = (Q(2) - r) * d2 - Q(1);
+  const json points = {
+      {"0", "0", "0"}, {"1", "0", d0.text()}, {"2", "1", (d0 + d1).text()}, {"3", "0", (d0 + d1 + d2).text()}};
+  const json input = input_of("interpolate", {{"degree", 1},
+                                              {"knots", {"0", r.text(), "2", "3"}},
+                                              {"c", {{"points", points}}},
+                                              {"va", {1, 0, 0}},
+                                              {"vb", {0, 1, 0}},
+                                              {"Lambda", 5}});
+  const ProgramResult result = run(input, {"--branch", "2"});
+  ASSERT_EQ(result.exit, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("branch 1: M* = -1.4142135623730951 (irrational)"));
+  EXPECT_THAT(result.out, HasSubstr("branch 2: M* = 1.4142135623730951 (irrational)  <- written"));
+  const RuledFile<Q> made = surface();
+  EXPECT_FALSE((find_witness<Q, 3>(made.knots, made.c.points, made.d.points)));
+}
+
 TEST_F(Construct, ParallelAndMeetingEndRulings) {
   EXPECT_EQ(run(input_of("interpolate", {{"va", {1, 0, 2}}, {"vb", {-2, 0, -4}}, {"Lambda", 7}})).exit, 0);
   EXPECT_EQ(checked()["direction"], json({"1", "0", "2"}));
