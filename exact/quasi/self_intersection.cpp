@@ -35,8 +35,10 @@ constexpr long pairs_per_exact = 300;
 /// The work for a run is the square of its length.
 constexpr std::size_t most_together = 16;
 
-/// A part of this share of a piece is small enough to look for a crossing by Newton's method.
+/// A part of this share of a piece is small enough to look for a crossing by Newton's method, with one pair for so many
+/// of the budget at most.
 constexpr int promising_halvings = 2;
+constexpr long pairs_per_attempt = 16;
 
 double middle(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
 
@@ -243,6 +245,7 @@ class Search {
         closed_(closed),
         finder_(finder),
         left_(most_pairs),
+        attempts_left_(most_pairs / pairs_per_attempt),
         exact_left_(static_cast<int>(std::min(most_pairs / pairs_per_exact, most_exact))) {
     begin_with(parts);
     for (; !pairs_.empty() && !witness_ && left_ > 0; pairs_.pop_front()) {
@@ -296,7 +299,7 @@ class Search {
       decided_ = false;
       return;
     }
-    if (&x != &y && x.halvings >= promising_halvings && x.halvings == y.halvings) {
+    if (&x != &y && x.halvings >= promising_halvings && x.halvings == y.halvings && attempts_left_-- > 0) {
       witness_ = finder_.near((x.begin + x.end) / 2, (y.begin + y.end) / 2);
     }
     Part& longer = x.end - x.begin >= y.end - y.begin ? x : y;
@@ -318,6 +321,7 @@ class Search {
   bool closed_;
   const CrossingFinder& finder_;
   long left_;
+  long attempts_left_;
   int exact_left_;
   bool decided_ = true;
   std::optional<RulingCrossing> witness_;

@@ -17,6 +17,10 @@ using Q = Rational;
 /// Newton's method doubles the digits with a step once it is near; what it does not find by then it is not near to.
 constexpr int most_steps = 30;
 
+/// Of two or three coordinates.
+using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, 3, 4>;
+using Gap = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1>;
+
 /// Of the digits behind the point that a place keeps where it is tried exactly: knots and other simple places are one.
 constexpr double grid = 0x1p30;
 
@@ -75,8 +79,9 @@ std::optional<RulingCrossing> CrossingFinder::near(double s, double t) const {
   for (int step = 0; step < most_steps; ++step) {
     const Meeting<double> here = meeting(rounded_, pair_at(x));
     if (!here.gap.allFinite()) return std::nullopt;
-    const Eigen::MatrixXd slopes = here.slopes(coordinates_, Eigen::all);
-    x -= slopes.completeOrthogonalDecomposition().solve(here.gap(coordinates_));
+    const Slopes slopes = here.slopes(coordinates_, Eigen::all);
+    const Gap gap = here.gap(coordinates_);
+    x -= slopes.completeOrthogonalDecomposition().solve(gap);
   }
   if (!x.allFinite()) return std::nullopt;
   Pair<double> at = pair_at(x);
