@@ -46,21 +46,22 @@ Vec<double, 3> common_side(std::span<const RulingTangents<double>> parts) {
 template <Field S>
 Truth on_one_side(std::span<const RulingTangents<S>> parts, const Vec<S, 3>& e) {
   Truth all = Truth::yes;
-  Truth none = Truth::yes;
   for (const RulingTangents<S>& of : parts) {
+    Truth still = Truth::yes;  // the part's own products are all 0
     for (const Vec<S, 3>& w : of.w) {
       const Vec<S, 3> side = cross(e, w);
       for (const RulingTangents<S>& other : parts) {
         for (const Vec<S, 3>& tangent : other.rails) {
           const S product = dot(side, tangent);
           all = all & !less(product, from_int<S>(0));
-          none = none & is_zero(product);
+          if (&of == &other) still = still & is_zero(product);
           if (all == Truth::no) return all;
         }
       }
     }
+    all = all & !still;
   }
-  return all & !none;
+  return all;
 }
 
 template Truth on_one_side<Interval>(std::span<const RulingTangents<Interval>>, const Vec<Interval, 3>&);

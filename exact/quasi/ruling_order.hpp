@@ -25,8 +25,9 @@ struct RulingTangents {
 /// product with unit vectors is nearest to 0 in their hull: Gilbert's algorithm goes there.
 Vec<double, 3> common_side(std::span<const RulingTangents<double>> parts);
 
-/// Whether all e . (w_j x t_i) are at least 0 and not all 0; `no` for a product below 0, `unknown` where rounding hides
-/// a sign. If so, no two of the rulings cross, apart from points of a rail.
+/// Whether all e . (w_j x t_i) are at least 0 and those of no part by itself are all 0, as where both rails run along
+/// their ruling; `no` for a product below 0, `unknown` where rounding hides a sign. If so, no two of the rulings cross,
+/// apart from points of a rail.
 template <Field S>
 Truth on_one_side(std::span<const RulingTangents<S>> parts, const Vec<S, 3>& e);
 

@@ -93,6 +93,19 @@ TEST(RulingOrder, ZerosAloneAreNoOrder) {
   EXPECT_EQ(order<Rational>({0, 0, 1}, {{7, 0, 3}, {0, -1, 0}}, {1, 0, 0}), Truth::yes);
 }
 
+/// A part whose rails run along their ruling, and one beside it that leaves the ruling: together all is on one side,
+/// but the rulings of the first lie upon each other.
+TEST(RulingOrder, EveryPartHasToMove) {
+  const auto vector = [](int x, int y, int z) { return Vec<Rational, 3>(Rational(x), Rational(y), Rational(z)); };
+  const RulingTangents<Rational> still{{vector(0, 0, 1)}, {vector(0, 0, 1), vector(0, 0, 2)}};
+  const RulingTangents<Rational> moving{{vector(0, 0, 1)}, {vector(0, -1, 0), vector(0, -1, 0)}};
+  const Vec<Rational, 3> e = vector(1, 0, 0);
+  EXPECT_EQ(on_one_side<Rational>(std::vector{moving}, e), Truth::yes);
+  EXPECT_EQ(on_one_side<Rational>(std::vector{moving, moving}, e), Truth::yes);
+  EXPECT_EQ(on_one_side<Rational>(std::vector{still, moving}, e), Truth::no);
+  EXPECT_EQ(on_one_side<Rational>(std::vector{moving, still}, e), Truth::no);
+}
+
 TEST(RulingOrder, RoundingMayHideASign) {
   const RulingTangents<Interval> tangents{{Vec<Interval, 3>(Interval(0), Interval(0), Interval(1))},
                                           {Vec<Interval, 3>(Interval(0), Interval::hull(-1, 1), Interval(0))}};

@@ -144,6 +144,18 @@ TEST(SelfIntersection, SteepStripsDoNot) {
   EXPECT_EQ(find_self_intersection<3>(u, saw, other, 2).crosses, Truth::no);
 }
 
+/// The rulings of the middle piece slide along themselves, so that they lie upon each other; before and behind it the
+/// strip goes on to one side.
+TEST(SelfIntersection, RulingsThatSlideAlongThemselvesAreNotSaidToBeApart) {
+  const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3)});
+  const Row c{point(0, 0, -1), point(0, 0, 0), point(1, 0, 0), point(1, 0, 1)};
+  const Row d{point(3, 0, -1), point(3, 0, 0), point(4, 0, 0), point(4, 0, 1)};
+  EXPECT_NE(crosses(u, c, d), Truth::no);
+  // Without the middle piece.
+  const KnotList<Q> two(1, {Q(0), Q(1), Q(2)});
+  EXPECT_EQ(crosses(two, {c[0], c[1], point(0, 0, 1)}, {d[0], d[1], point(3, 0, 1)}), Truth::no);
+}
+
 TEST(SelfIntersection, PlanesConesAndClosedStripsDoNot) {
   EXPECT_EQ(crosses(bezier_knots<Q>(1), {point(0, 0, 0), point(1, 0, 0)}, {point(0, 1, 0), point(1, 1, 0)}), Truth::no);
   const Row tip(3, point(0, 0, 1));
