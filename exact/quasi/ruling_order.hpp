@@ -21,8 +21,8 @@ struct RulingTangents {
 };
 
 /// A unit vector e with e . (w_j x t_i) > 0 for all rulings and all tangents of the rails of these parts, zeros left
-/// out; some unit vector where there is none or none is found, and NaN where all are zero. That of the largest least
-/// product with unit vectors is nearest to 0 in their hull: Gilbert's algorithm goes there.
+/// out; where there is none or none is found, some unit vector, 0 where the normals cancel, NaN where all are zero.
+/// That of the largest least product with unit vectors is nearest to 0 in their hull: Gilbert's algorithm goes there.
 Vec<double, 3> common_side(std::span<const RulingTangents<double>> parts);
 
 /// Whether all e . (w_j x t_i) are at least 0 and those of no part by itself are all 0, as where both rails run along
