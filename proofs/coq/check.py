@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Builds the Coq theory in build/coq, has coqchk look at it again, and compares what was proved with the committed files:
 
-  theorems.json        every theorem under its claim id: statement as Coq prints it, and what it assumes; every definition as Coq prints it
+  theorems.json        every theorem under its claim id: statement as Coq prints it, and what it assumes; every definition as Coq prints it; every
+                       notation that other files see
   index.md             the same for readers
   ../coq_theorems.hpp  the ids and names for the ledger
 
@@ -23,8 +24,10 @@ build = root / "build" / "coq"
 memory = 8 << 30  # bytes of address space for each program
 library = "Torse"
 prelude = "Prelude"  # exports scopes and settings, which would change how Coq prints
+of_library = ("FJ07", "FJ21", "ZW06", "BZZ19")
 papers = {"FJ07": "Fernández-Jambrina 2007", "FJ21": "Fernández-Jambrina 2021", "ZW06": "Zhang and Wang 2006",
           "BZZ19": "Bo, Zheng and Zhang 2019", "blossoms": "Blossoms", "rounding": "Rounding errors"}
+without_claim = {"BZZ19.9"}  # theorems of a paper that the library has no claim for: the function of (9) is minimised, it is no identity
 title_of_part = {"Hypotheses": "Hypotheses", "Paper": "The paper"}
 
 
@@ -56,7 +59,10 @@ def run(arguments, seconds, **options):
 
 def sources():
     """The .v files in the order of _CoqProject."""
-    return [line for line in (here / "_CoqProject").read_text().split() if line.endswith(".v")]
+    listed = [line for line in (here / "_CoqProject").read_text().split() if line.endswith(".v")]
+    for file in {*listed} ^ {path.name for path in here.glob("*.v")}:
+        fail(f"{file}: " + ("_CoqProject lists it and it is not there" if file in listed else "_CoqProject does not list it"))
+    return listed
 
 
 def without_comments(text):
@@ -96,7 +102,7 @@ def theorems():
     found = []
     for file in sources():
         text = (here / file).read_text()
-        forbidden = re.search(r"\b(Admitted|Axioms?|Parameters?|Conjecture|admit|give_up|bypass_check|Unset Guard Checking)\b", without_comments(text))
+        forbidden = re.search(r"\b(Admitted|Axioms?|Parameters?|Conjecture|admit|give_up|bypass_check|Unset (Guard|Positivity|Universe) Checking)\b", without_comments(text))
         if forbidden:
             fail(f"{file}: {forbidden.group()} has no place here")
         entries = [match.groupdict() | {"file": file} for match in theorem.finditer(text)]
@@ -114,16 +120,40 @@ def theorems():
     return found
 
 
+def check_claims(found):
+    """Every claim of the library has a theorem, and every theorem of a paper a claim."""
+    claims = {claim["id"] for claim in json.loads((here.parent / "ledger.json").read_text())["claims"]}
+    proved = {entry["id"] for entry in found if entry["id"].split(".")[0] in of_library}
+    for identifier in sorted(claims - proved):
+        fail(f"the library has a claim {identifier} and there is no theorem about it")
+    for identifier in sorted(proved - claims - without_claim):
+        fail(f"there is a theorem about {identifier} and the library has no such claim")
+
+
 def definitions():
     """The names that the statements are written with."""
-    pattern = re.compile(r"^(?:Definition|Fixpoint|Inductive|Record) (\w+)", re.M)
+    pattern = re.compile(r"^\s*(?:#\[[^]]*\]\s*)?(?:(?:Local|Global|Program|Polymorphic|Monomorphic)\s+)*"
+                         r"(?:Definition|Fixpoint|CoFixpoint|Function|Inductive|CoInductive|Variant|Record|Structure|Class|Instance|Canonical)\s+(\w+)", re.M)
     return [f"{file[:-2]}.{name}" for file in sources() for name in pattern.findall(without_comments((here / file).read_text()))]
+
+
+def notations():
+    """What is said outside sections of how Coq reads and prints, by file: other files see it."""
+    word = re.compile(r"^\s*(Section|End|(?:Global\s+|Reserved\s+)?(?:Notation|Infix|Coercion)\b.*?\.)(?=\s)", re.M | re.S)
+    seen = {}
+    for file in sources():
+        depth = 0
+        for said in word.findall(without_comments((here / file).read_text())):
+            depth += (said == "Section") - (said == "End")
+            if depth == 0 and said != "End":
+                seen.setdefault(file[:-2], []).append(" ".join(said.split()))
+    return seen
 
 
 def compile_theory():
     build.mkdir(parents=True, exist_ok=True)
-    for file in build.glob("*.v"):
-        if not (here / file.name).exists():
+    for file in [*build.glob("*.v"), *build.glob("*.vo")]:
+        if not (here / file.name).with_suffix(".v").exists():
             file.unlink()
     for file in [*sources(), "_CoqProject"]:
         target = build / file
@@ -148,9 +178,10 @@ def printed(found, definitions):
     """What Coq says of each theorem, (statement, axioms), and of each definition. Print Assumptions takes about a second for each term, as it
     walks through the whole library, so it is asked about two: the theorems that may rest on nothing, and the others, which all get the axioms of
     any of them."""
-    names = [entry["name"] for entry in found]
-    free = [entry["name"] for entry in found if not may_rest_on_axioms(entry)]
-    others = [entry["name"] for entry in found if may_rest_on_axioms(entry)]
+    full = lambda entry: f"{entry['file'][:-2]}.{entry['name']}"  # another file may have a lemma of the same name
+    names = [full(entry) for entry in found]
+    free = [full(entry) for entry in found if not may_rest_on_axioms(entry)]
+    others = [full(entry) for entry in found if may_rest_on_axioms(entry)]
     modules = [file[:-2] for file in sources()]
     script = ["From mathcomp Require Import all_ssreflect all_algebra."]
     script += [f"From {library} Require {' '.join(modules)}."]
@@ -206,7 +237,7 @@ def index(found):
 
 
 def header(found):
-    ids = sorted({entry["id"] for entry in found if entry["id"].split(".")[0] in ("FJ07", "FJ21", "ZW06", "BZZ19")}, key=order)
+    ids = sorted({entry["id"] for entry in found if entry["id"].split(".")[0] in of_library}, key=order)
     rows = "".join(f'    CoqTheorem{{"{identifier}", "{entry["name"]}"}},\n' for identifier in ids for entry in found if entry["id"] == identifier)
     count = rows.count("\n")
     return ("// The theorems of proofs/coq that Coq's kernel accepts without axioms, by claim. Written by `./x coq`; do not edit.\n"
@@ -219,6 +250,7 @@ def header(found):
 
 def main():
     found = theorems()
+    check_claims(found)
     compile_theory()
     if "--build" in sys.argv[1:]:
         return
@@ -229,7 +261,7 @@ def main():
     for entry, (statement, axioms) in zip(found, facts):
         entry["printed"], entry["axioms"] = statement, axioms
     golden = {"theorems": [{key: entry[source] for key, source in (("id", "id"), ("name", "name"), ("file", "file"), ("statement", "printed"), ("axioms", "axioms"))}
-                           for entry in found], "definitions": defined}
+                           for entry in found], "definitions": defined, "notations": notations()}
     files = {here / "theorems.json": json.dumps(golden, indent=1, ensure_ascii=False) + "\n", here / "index.md": index(found),
              here.parent / "coq_theorems.hpp": header(found)}
     stale = 0
