@@ -4,12 +4,13 @@ fractions in lowest terms, the bits of doubles, or the error.
 
 usage: compare.py LIBRARY [--count N] [--seed S]     LIBRARY is the program of the CMake target coq_compare; N problems of each class of each function
 
-Fails where an answer differs, and where a class of inputs did not do what it is there for.
+Fails where an answer differs, where a class of inputs did not do what it is there for, and where a program is extracted and not compared.
 """
 import argparse
 import collections
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -75,6 +76,16 @@ def vacuous(rows):
             yield f"{name}: {inputs - errors} inputs without an error"
 
 
+def left_out(functions):
+    """The programs that no function of main.ml calls, and its functions that no problem is for, by name."""
+    called = (here / "main.ml").read_text() + (here / "doubles.ml").read_text()
+    for names in re.findall(r'^Extraction "[^"]*"(.*?)\.$', (here / "Extraction.v").read_text(), re.M | re.S):
+        yield from (f"{name} is extracted and not called" for name in names.split() if not re.search(rf"\b{name.split('.')[-1]}\b", called))
+    for name in re.findall(r'^  "(\w+)", ', called, re.M):
+        if name not in functions:
+            yield f"{name}: no inputs"
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("library", type=pathlib.Path)
@@ -94,7 +105,7 @@ def main():
             different.append(f"{line}\n  Coq  {coq}\n  C++  {library}")
     table("function", functions)
     table("class", classes)
-    bad = [f"vacuous: {text}" for text in [*vacuous(functions), *vacuous(classes)]]
+    bad = [f"vacuous: {text}" for text in [*vacuous(functions), *vacuous(classes)]] + [*left_out(functions)]
     print("\n".join(different[:5] + bad))
     print(f"{len(lines)} answers of {len(functions)} functions compared with the library, {sum(row[1] for row in functions.values())} of them errors: "
           f"{len(different)} differ")
