@@ -92,4 +92,16 @@ Proof.
 move=> n0; apply/rowP=> k; rewrite !mxE !derivB !hornerD !hornerN.
 by move: (p 0 k).[t] (q 0 k).[t] (p 0 k)^`().[t] (q 0 k)^`().[t] n%:R n0 => P Q P' Q' N n0; field.
 Qed.
+
+(** FJ21.6 points: $(1-v)p'+vq'-\alpha(q-p)-\beta((1-v)p+vq)=(n(v-1)+(1-t)(\alpha+(v-1)\beta))p_0+(n(1-v)+t(\alpha+(v-1)\beta))p_1
+    -(nv+(1-t)(\alpha+v\beta))q_0-(-nv+t(\alpha+v\beta))q_1$ for $p_i=p[t^{\langle n-1\rangle},i]$, $q_i=q[t^{\langle n-1\rangle},i]$.
+    Hypotheses: $n\ne0$ in the field. *)
+Theorem FJ21_6_points n p q t v al be : n%:R != 0 :> F ->
+  (1 - v) *: ev (pderiv p) t + v *: ev (pderiv q) t - al *: ev (q - p) t - be *: ((1 - v) *: ev p t + v *: ev q t)
+    = (n%:R * (v - 1) + (1 - t) * (al + (v - 1) * be)) *: tangent n p t 0 + (n%:R * (1 - v) + t * (al + (v - 1) * be)) *: tangent n p t 1
+      - (n%:R * v + (1 - t) * (al + v * be)) *: tangent n q t 0 - (- (n%:R * v) + t * (al + v * be)) *: tangent n q t 1.
+Proof.
+move=> n0; apply/rowP=> k; rewrite !mxE !hornerD !hornerN.
+by move: (p 0 k).[t] (q 0 k).[t] (p 0 k)^`().[t] (q 0 k)^`().[t] n%:R n0 => P Q P' Q' N n0; field.
+Qed.
 End Frame.

@@ -115,6 +115,30 @@ apply: (multiple (z := (a + b * L + N * (a + b * t) + s * (a' + b' * M - (a + b 
   by rewrite mulf_neq0 ?invr_neq0.
 by field; rewrite n0 n1 h0 g0.
 Qed.
+
+(** FJ21.5.4 factor: for $f=1$ and $\tilde\sigma=1$, so $\tilde q=p+g(q-p)$: $\Lambda=\frac{n\tilde\Lambda+n\tilde M(g(t)-1)+tg(\tilde M)}G$,
+    $M=\frac{g(\tilde M)t+ng(t)\tilde M}G$, $\sigma=1$, where $G=ng(t)+g(\tilde M)$, and conversely.
+    Hypotheses: $G\ne0$; $n$ and $n+1$ are not 0 in the field. *)
+Theorem FJ21_5_4_factor n p q t L M a' b' (g := linear a' b') (G := n%:R * g.[t] + g.[M]) : n%:R != 0 :> F -> n.+1%:R != 0 :> F -> G != 0 ->
+  related_at n.+1 p (p + g *: (q - p)) t L M 1 <->
+  related_at n p q t ((n%:R * L + n%:R * M * (g.[t] - 1) + t * g.[M]) / G) ((g.[M] * t + n%:R * g.[t] * M) / G) 1.
+Proof.
+move=> n0 n1 G0; have := @FJ21_5_4_rulings n p q t L M 1 1 0 a' b' n0 n1 G0.
+have one : linear 1 0 = 1 :> {poly F} by rewrite /linear scale0r addr0.
+cbv zeta; rewrite one !hornerC !scale1r -/g; have -> : 1 + n%:R * 1 + 1 * (g.[M] - 1 + n%:R * (g.[t] - 1)) = G by rewrite /G; ring.
+have -> : 1 * t + n%:R * 1 * L + 1 * (n%:R * M * (g.[t] - 1) + t * (g.[M] - 1)) = n%:R * L + n%:R * M * (g.[t] - 1) + t * g.[M] by ring.
+by have -> : 1 * G / G = 1 by [rewrite mul1r divff]; apply.
+Qed.
+
+(** FJ21.5.3 blossom: for a factor $f$ of degree one $\tilde p=fp$ has $\tilde p[t^{\langle n\rangle},x]=\frac{nf(t)\,p[t^{\langle n-1\rangle},x]+f(x)\,p(t)}{n+1}$.
+    Hypotheses: $n$ and $n+1$ are not 0 in the field. *)
+Theorem FJ21_5_3_blossom n p t x a b (f := linear a b) : n%:R != 0 :> F -> n.+1%:R != 0 :> F ->
+  tangent n.+1 (f *: p) t x = n.+1%:R^-1 *: ((n%:R * f.[t]) *: tangent n p t x + f.[x] *: ev p t).
+Proof.
+move=> n0; rewrite natrS /f !FJ21_5.linearE => n1; apply/rowP=> k.
+rewrite !mxE derivM deriv_linear /linear !(hornerD, hornerM, hornerC, hornerZ, hornerX) natrS.
+by move: (p 0 k).[t] (p 0 k)^`().[t] n%:R n0 n1 => P P' N n0 n1; field; rewrite n0 n1.
+Qed.
 End Lengths.
 
 Section Insertion.

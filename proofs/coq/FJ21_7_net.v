@@ -1,5 +1,5 @@
 (* FJ21, section 7: constant Lam, M, sigma: the full polar form and the net. *)
-From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_3_blossoms FJ07_2 FJ21_7 FJ21_3.
+From Torse Require Import Prelude Blossom Curves Points Functions FJ07_3_net FJ07_3_blossoms FJ07_2 FJ21_7 FJ21_3.
 
 Section Net.
 Variables (F : fieldType) (m : nat).
@@ -23,6 +23,19 @@ have e j : s *: ((u (j + n)%N - M) *: d j + (M - u j) *: d j.+1) = (u (j + n)%N 
   by rewrite scalerDr !scalerA ![s * _]mulrC.
 split=> [h j lt_j|h v sz]; last by rewrite -pblossom_scale; apply: (iffRL piece) => // j lt_j; rewrite h // e.
 by rewrite e; apply: (iffLR piece) => // v sz; rewrite pblossom_scale h.
+Qed.
+
+(** FJ21.7.1 weights: for rows $p_j=w_j(1,c_j)$, $q_j=\omega_j(1,d_j)$ the net is $(1-\Lambda)w_j+\Lambda w_{j+1}=\sigma\bigl((1-M)\omega_j+M\omega_{j+1}\bigr)$ for the
+    weights and $(1-\Lambda)w_jc_j+\Lambda w_{j+1}c_{j+1}=\sigma\bigl((1-M)\omega_jd_j+M\omega_{j+1}d_{j+1}\bigr)$ for the points. *)
+Theorem FJ21_7_1_weights (w omega : nat -> F) (a b : nat -> 'rV[F]_3) (p q : nat -> 'rV[F]_4) L M s j :
+  (forall i, weight (p i) = w i /\ place (p i) = w i *: a i) -> (forall i, weight (q i) = omega i /\ place (q i) = omega i *: b i) ->
+  (1 - L) *: p j + L *: p j.+1 = s *: ((1 - M) *: q j + M *: q j.+1) <->
+  (1 - L) * w j + L * w j.+1 = s * ((1 - M) * omega j + M * omega j.+1) /\
+  (1 - L) *: (w j *: a j) + L *: (w j.+1 *: a j.+1) = s *: ((1 - M) *: (omega j *: b j) + M *: (omega j.+1 *: b j.+1)).
+Proof.
+move=> ep eq; have [[<- <-] [<- <-]] := (ep j, ep j.+1); have [[<- <-] [<- <-]] := (eq j, eq j.+1); rewrite /weight.
+split=> [/rowP e|[e0 /rowP e]]; first by split; [have := e 0; rewrite !mxE | apply/rowP=> k; have := e (lift ord0 k); rewrite !mxE].
+by apply/rowP=> k; case: (unliftP ord0 k) => [k'|] ->; [have := e k'; rewrite !mxE | rewrite !mxE].
 Qed.
 
 (** FJ21.7.1 bezier: on $[0,1]$ the net is $(1-\Lambda)p_j+\Lambda p_{j+1}=\sigma\bigl((1-M)q_j+Mq_{j+1}\bigr)$, $j=0..n-1$. *)
