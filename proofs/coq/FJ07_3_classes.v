@@ -27,6 +27,11 @@ rewrite mu_rec // em addrAC subrr add0r; have -> : (mu 0%N - 1) = (e k.+1 - e k)
 by move: (e k) (e k.+1) (len u n k) (len u n k.+1) e0 e1 l0 => a b l l' a0 b0 l0; field; rewrite a0 b0 l0.
 Qed.
 
+(** FJ07.11 cone_same: where $\mu=1$ all pieces have the same $\lambda$: all parts of a cone share it. *)
+Theorem FJ07_11_cone_same lam mu K : (forall k, (k < K)%N -> lam k.+1 = (lam k + mu k - 1) / mu k) -> (forall k, (k < K)%N -> mu k = 1) ->
+  forall k, (k <= K)%N -> lam k = lam 0%N.
+Proof. by move=> rec cone; elim=> // k ih lt_k; rewrite rec // cone // addrK divr1 ih // ltnW. Qed.
+
 (** FJ07.11 backward: $\mu_{k-1}=\left(1-\frac{\Delta u_{n+k-3}}{\Delta u_{n+k-2}}(\mu_k-1)\right)^{-1}$, $\lambda_{k-1}=1+\mu_{k-1}(\lambda_k-1)$.
     Hypotheses: piece $k$ is not empty; nor is piece $k-1$ and $\mu_{k-1}\ne0$, so that $\lambda_k$, $\mu_k$ have a meaning. *)
 Theorem FJ07_11_backward (l l' lam mu : F) (mu' := 1 + l' / l * (1 - mu^-1)) (lam' := (lam + mu - 1) / mu) :

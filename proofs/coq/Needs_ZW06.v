@@ -95,6 +95,24 @@ have -> : i.+1%:R = 0 :> F by [].
 by rewrite add0r oner_eq0.
 Qed.
 
+(** ZW06.16 unique_needs_next: where $n+2=0$ in the field, the points $\tau_n=1$, all others and all $p_j$ 0, have $\tau=u^n$ and solve $a'=2\tau+u\tau'$; the formula
+    gives $\tau_n=0$. *)
+Theorem ZW06_16_unique_needs_next n : n.+2%:R = 0 :> F ->
+  pderiv (pbez n zero) = 2%:R%:P *: pbez n (tip n) + 'X *: pderiv (pbez n (tip n)) /\
+  tip n n <> (n - n)%:R *: mean_step zero n + n%:R *: mean_step zero n.-1.
+Proof.
+move=> e; have step0 i : mean_step zero i = 0 by rewrite /mean_step big1 ?scaler0 // => j _; rewrite /zero subrr scaler0.
+split; last by rewrite !step0 !scaler0 addr0 => /rowP/(_ 0); rewrite !mxE eqxx => /eqP; rewrite oner_eq0.
+have power : pbez n (tip n) = const_mx 'X^n.
+  apply/rowP=> k; rewrite !mxE /bez big_nat_recr //= big1_seq ?add0r; last first.
+    by move=> j; rewrite mem_index_iota => /andP[_ /andP[_ lt_j]]; rewrite /coord mxE (ltn_eqF lt_j) polyC0 mul0r.
+  by rewrite /coord mxE eqxx mul1r /B binn subnn expr0 mulr1 mul1r.
+rewrite pbez0 deriv0 power; apply/rowP=> k; rewrite !mxE derivXn.
+have -> : 'X * ('X^n.-1 *+ n) = n%:R * 'X^n :> {poly F}.
+  by case: n {e power} => [|n]; [rewrite mulr0 mul0r | rewrite mulrnAr -exprS mulr_natl].
+by rewrite polyC_nat -mulrDl -natrD add2n -(polyC_nat F) e polyC0 mul0r.
+Qed.
+
 (** ZW06.18 needs_binomials: where $C(n,i)=0$ in the field, the points $p_i=1$, all others and all $\tau_j$ 0, solve $u\,a'=\tau+u\tau'$, and the
     recursion fails at $i$ or $i+1$. *)
 Theorem ZW06_18_needs_binomials n i : (i < n)%N -> 'C(n, i)%:R = 0 :> F ->

@@ -59,6 +59,23 @@ case=> [|i] le_i; first by rewrite h // S0 scale0r.
 by rewrite h // Sr -h 1?ltnW // /prev /= [RHS]scalerDr [RHS]addrC.
 Qed.
 
+(** ZW06.16 unique: $a'=2\tau+u\tau'$ iff $\tau_i=(n-i)A_i+iA_{i-1}$ with $A_i=\frac1{(i+1)(i+2)}\sum_{j\le i}(j+1)\Delta p_j$.
+    Hypotheses: $n+2\ne0$ in the field; $(n+1)!\ne0$, so that the $A_i$ have a meaning. *)
+Theorem ZW06_16_unique n p tau : n.+2%:R != 0 :> F -> good F n.+1 ->
+  pderiv (pbez n p) = 2%:R%:P *: pbez n tau + 'X *: pderiv (pbez n tau) <->
+  forall i, (i <= n)%N -> tau i = (n - i)%:R *: mean_step p i + i%:R *: mean_step p i.-1.
+Proof.
+move=> n2 g; have ind : independent F n by exact: good_independent (good_le (leqnSn n) g).
+have := ZW06_16_closed p g; cbv zeta; set sol := fun i => _; rewrite [_ = _ + _](ZW06_16_recursion _ sol ind) => closed.
+split=> [/(ZW06_16_recursion _ _ ind) h|h]; last first.
+  by apply/(ZW06_16_recursion _ _ ind) => i le_i; rewrite h // closed //; case: i le_i => [|i] le_i; rewrite /prev //= h // ltnW.
+have nz i : (i <= n)%N -> (i + 2)%:R != 0 :> F.
+  by rewrite addn2 leq_eqVlt => /orP[/eqP -> //|lt_i]; apply: (good_nat g).
+suff e i : (i <= n)%N -> tau i = sol i by [].
+elim: i => [|i ih] le_i; apply: (scalerI (nz _ le_i)); rewrite h ?closed // /prev /=; first by rewrite !scale0r.
+by rewrite ih // ltnW.
+Qed.
+
 (** ZW06.19 aumann: $a'=a\tau+b\tau'$ with $a=\frac{n(1-s)}{\rho-1}$, $b=\frac{1-u+su}{\rho-1}$ iff $q_{i+1}=p_i+\rho(p_{i+1}-p_i)+s(q_i-p_i)$.
     Hypotheses: $n!\ne0$ in the field; $\rho\ne1$, so that $a$ and $b$ have a meaning. *)
 Theorem ZW06_19_aumann n p tau rho s (q := fun i => p i + tau i)
