@@ -67,4 +67,45 @@ have e l : (l <= n.+1)%N -> segment (u (n + k)%N) (u (n + k).+1) n.+1 (drop_ k u
 have s := (segment_constant _ _ ab sp).2 e.
 by have := s i le_i; have := s 0%N isT => /= e0 ei; rewrite !sub ei e0.
 Qed.
+
+Lemma pblossom_combination u c d s t v : pblossom u (fun i => s *: c i + t *: d i) v = s *: pblossom u c v + t *: pblossom u d v.
+Proof.
+apply/rowP=> k; rewrite !mxE -blossom_linear.
+by apply: blossom_ext => i _; rewrite /coord !mxE.
+Qed.
+
+Lemma pblossom_constant u (x : 'rV[F]_m) s : span (size s) u -> pblossom u (fun=> x) [seq at_ t | t <- s] = x.
+Proof. by move=> sp; apply/rowP=> k; rewrite mxE /coord blossom_constant. Qed.
+
+(** FJ07.T1 cone_blossoms: in the place of the relation a cone has $\alpha\,(c[v_1,\dots,v_{n-1},b]-c[v_1,\dots,v_{n-1},a])=d[v_1,\dots,v_{n-1},b]-d[v_1,\dots,v_{n-1},a]$ for all
+    parameters $v_i$, $a$, $b$: so it has iff the sides are proportional, $d_{i+1}-d_i=\alpha(c_{i+1}-c_i)$.
+    Hypotheses: the knots carry the piece, so that its points have a meaning.
+    Paper: has $a$ and $b$ at the ends of the piece. *)
+Theorem FJ07_T1_cone_blossoms u al n c d : span n.+1 u ->
+  (forall v a b, size v = n -> al *: (pblossom u c [seq at_ t | t <- rcons v b] - pblossom u c [seq at_ t | t <- rcons v a])
+    = pblossom u d [seq at_ t | t <- rcons v b] - pblossom u d [seq at_ t | t <- rcons v a]) <-> proportional al c d n.+1.
+Proof.
+move=> sp; rewrite proportional_constant; pose e i := 1 *: d i + (- al) *: c i.
+have eE i : e i = d i - al *: c i by rewrite /e scale1r scaleNr.
+have parts w : pblossom u e w = pblossom u d w - al *: pblossom u c w by rewrite pblossom_combination scale1r scaleNr.
+have flat : (forall i, (i <= n.+1)%N -> e i = e 0%N) <->
+    (forall v a b, size v = n -> pblossom u e [seq at_ t | t <- rcons v b] = pblossom u e [seq at_ t | t <- rcons v a]).
+  split=> [h v a b sz|h].
+    have all s : size s = n.+1 -> pblossom u e [seq at_ t | t <- s] = e 0%N.
+      move=> szs; rewrite -[RHS](@pblossom_constant u _ s) ?szs //; apply/rowP=> k; rewrite !mxE.
+      by apply: blossom_ext => i; rewrite size_map szs => /h; rewrite /coord => ->.
+    by rewrite !all ?size_rcons ?sz.
+  have at_knots i : (i <= n.+1)%N -> e i = pblossom u e [seq at_ t | t <- [seq u j | j <- iota i n.+1]].
+    by move=> le_i; apply/rowP=> k; rewrite [RHS]mxE -map_comp -[RHS]/(blossom u (coord e k) (knots u i n.+1)) blossoms_knots.
+  elim=> // i ih lt_i; rewrite -(ih (ltnW lt_i)) (at_knots i.+1) // (at_knots i) ?(ltnW lt_i) //.
+  have -> : iota i.+1 n.+1 = rcons (iota i.+1 n) (i.+1 + n)%N by rewrite -cats1 -[n.+1]addn1 iotaD.
+  rewrite map_rcons (h _ (u i)) ?size_map ?size_iota //; apply/rowP=> k; rewrite !mxE; apply: blossoms_symmetric.
+    by rewrite !size_map size_rcons size_map size_iota.
+  by apply: perm_map; rewrite /= perm_rcons.
+have -> : (forall i, (i <= n.+1)%N -> d i - al *: c i = d 0%N - al *: c 0%N) <-> (forall i, (i <= n.+1)%N -> e i = e 0%N).
+  by split=> h i /h; rewrite !eE.
+rewrite flat; split=> h v a b sz; have := h v a b sz; rewrite ?parts => e'; apply/eqP; rewrite -subr_eq0.
+  by apply/eqP; move/eqP: e'; rewrite -subr_eq0 => /eqP e'; rewrite -oppr0 -{}e'; by_entries k; ring.
+by apply/eqP; move/eqP: e'; rewrite -subr_eq0 => /eqP e'; rewrite -oppr0 -{}e'; by_entries k; ring.
+Qed.
 End Conical.
