@@ -44,21 +44,26 @@ move: crossing_tau before behind => tau; rewrite mul1r => before behind; congr v
 Qed.
 
 (** BZZ19.5.witnesses regression: (b) $C_1=r+r'$, $C_2=r-r'$ for $r=(\tau,\tau^2,\tau^3)$, $\tau=2+t$, and $\sigma(t)=t$: exactly developable, and
-    $S_s\times S_t=0$ on the curve $s=\frac12$, which is $r$. *)
+    $S_s\times S_t=0$ on the curve $s=\frac12$, which is $r=(2+t,(2+t)^2,(2+t)^3)$. *)
 Theorem BZZ19_5_witnesses_regression (C1 := cubic + pderiv cubic) (C2 := cubic - pderiv cubic) :
-  developable C1 (after C2 'X) /\
-  forall t, cross (ev C2 t - ev C1 t) ((1 - 2%:R^-1) *: ev (pderiv C1) t + 2%:R^-1 *: ev (pderiv C2) t) = 0.
+  [/\ developable C1 (after C2 'X),
+      forall t, cross (ev C2 t - ev C1 t) ((1 - 2%:R^-1) *: ev (pderiv C1) t + 2%:R^-1 *: ev (pderiv C2) t) = 0
+    & forall t, ruled_surface C1 C2 'X 2%:R^-1 t = vec (2%:R + t) ((2%:R + t) ^+ 2) ((2%:R + t) ^+ 3)].
 Proof.
 rewrite after_X; have [dp dm] : pderiv C1 = pderiv cubic + pderiv (pderiv cubic) /\ pderiv C2 = pderiv cubic - pderiv (pderiv cubic).
   by split; apply/rowP=> k; rewrite !mxE ?derivD ?derivN.
 have n2 : 2%:R != 0 :> F by rewrite pnatr_eq0.
-split=> [|t].
-  rewrite /developable dp dm /C1 /C2; move: (pderiv (pderiv cubic)) (pderiv cubic) cubic => a b c.
+split=> [|t|t].
+- rewrite /developable dp dm /C1 /C2; move: (pderiv (pderiv cubic)) (pderiv cubic) cubic => a b c.
   by coordinates; hide_entries; ring.
-have evD p q : ev (p + q) t = ev p t + ev q t :> 'rV[F]_3 by apply/rowP=> k; rewrite !mxE hornerD.
-have evN p : ev (- p) t = - ev p t :> 'rV[F]_3 by apply/rowP=> k; rewrite !mxE hornerN.
-rewrite dp dm /C1 /C2 !evD !evN (_ : _ *: _ + _ *: _ = ev (pderiv cubic) t); last first.
-  by move: (ev _ t) (ev _ t) => A B; apply/rowP=> k; rewrite !mxE; move: (A 0 k) (B 0 k) => x y; field.
-by move: (ev _ t) (ev _ t) => A B; apply: row3P; coordinates; hide_entries; ring.
+- have evD p q : ev (p + q) t = ev p t + ev q t :> 'rV[F]_3 by apply/rowP=> k; rewrite !mxE hornerD.
+  have evN p : ev (- p) t = - ev p t :> 'rV[F]_3 by apply/rowP=> k; rewrite !mxE hornerN.
+  rewrite dp dm /C1 /C2 !evD !evN (_ : _ *: _ + _ *: _ = ev (pderiv cubic) t); last first.
+    by move: (ev _ t) (ev _ t) => A B; apply/rowP=> k; rewrite !mxE; move: (A 0 k) (B 0 k) => x y; field.
+  by move: (ev _ t) (ev _ t) => A B; apply: row3P; coordinates; hide_entries; ring.
+transitivity (ev cubic t).
+  rewrite /ruled_surface after_X; apply/rowP=> k; rewrite !mxE !(hornerD, hornerN).
+  by move: (cubic 0 k).[t] ((cubic 0 k)^`()).[t] => x y; field.
+by rewrite /cubic ev_vec !horner_exp !hornerD !hornerX !hornerC addrC.
 Qed.
 End Witnesses.
