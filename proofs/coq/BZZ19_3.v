@@ -21,7 +21,8 @@ by rewrite -!polyCB polyCV -polyCM.
 Qed.
 
 (** BZZ19.4 derivative: $\sigma'(t)=d\sum_i\frac{\beta_{i+1}-\beta_i}{t_{i+d}-t_i}B_{i,d-1}(t)$, over the same knots without the first.
-    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
+    Hypotheses: the knots carry a piece, so that its points have a meaning.
+    Paper: begins its sum of $\beta_i-\beta_{i-1}$ at $i=0$, where there is no $\beta_{-1}$. *)
 Theorem BZZ19_4_derivative n u b : span n.+1 u -> (curve n.+1 u b)^`() = curve n (shift u) (slope n.+1 u b) *+ n.+1.
 Proof. by move=> sp; rewrite blossoms_derivative // velocity_slope. Qed.
 End Derivative.
@@ -33,7 +34,8 @@ Implicit Types (u b eps : nat -> F) (n i : nat) (s t : F).
 Definition steps eps i : F := \sum_(0 <= j < i.+1) eps j ^+ 2.
 Definition within n u t := (forall i, (i < n)%N -> u i <= t) /\ (forall j, (n <= j < n.*2)%N -> t <= u j).
 
-(** BZZ19.5 steps: $\beta_i=\sum_{j\le i}\epsilon_j^2$ do not decrease and are not negative. *)
+(** BZZ19.5 steps: $\beta_i=\sum_{j\le i}\epsilon_j^2$ do not decrease and are not negative.
+    Paper: also writes $\beta_{i+1}=\beta_i+\epsilon_i^2$, where (5) has $\epsilon_{i+1}^2$. *)
 Theorem BZZ19_5_steps eps i : 0 <= steps eps i <= steps eps i.+1.
 Proof.
 rewrite /steps sumr_ge0 /= => [|j _]; last exact: sqr_ge0.

@@ -14,7 +14,8 @@ Implicit Types (u b : nat -> F) (n i : nat).
 Definition basis n u i : {poly F} := curve n u (fun j => (j == i)%:R).
 Definition greville n u i : F := \sum_(i <= j < i + n) u j.
 
-(** BZZ19.3 basis: $\sigma(t)=\sum_i\beta_iB_{i,d}(t)$ on each piece. *)
+(** BZZ19.3 basis: $\sigma(t)=\sum_i\beta_iB_{i,d}(t)$ on each piece.
+    Paper: its knots begin with $t_0=\dots=t_{d+1}=0$; clamped ones have $d+1$ zeros, $t_0=\dots=t_d$. *)
 Theorem BZZ19_3_basis n u b : curve n u b = \sum_(0 <= i < n.+1) (b i)%:P * basis n u i.
 Proof.
 rewrite -(blossoms_linear (polys u)); apply: blossom_ext => j; rewrite size_nseq => le_j.

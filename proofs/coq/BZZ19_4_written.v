@@ -29,6 +29,17 @@ rewrite BZZ19_15_elevation -bez_scale; apply: bez_ext => i _.
 by rewrite /coord /lift_ /prev !mxE mulrA divff // mul1r.
 Qed.
 
+(** BZZ19.15 power: the paper's way gives the same points: those of degree $D=n+r$ are $\sum_k\frac{C(i,k)}{C(D,k)}f_k$, by (14), for $c(t)=\sum_kf_kt^k$.
+    Hypotheses: no $C(D,k)$ vanishes in the field, and $n+1,\dots,D\ne0$, so that the quotients have a meaning. *)
+Theorem BZZ19_15_power n r c i k : independent F (n + r) -> (forall j, (n < j <= n + r)%N -> j%:R != 0 :> F) -> (i <= n + r)%N ->
+  raised n r c i 0 k = in_bernstein (n + r) (pbez n c 0 k) i.
+Proof.
+move=> ind nz le_i; have := BZZ19_15_raised c nz => /rowP/(_ k); rewrite mxE => e.
+have sz : (size (pbez n c 0%R k) <= (n + r).+1)%N by rewrite mxE (leq_trans (size_bez _ _)) // ltnS leq_addr.
+have same : bez (n + r) (coord (raised n r c) k) = bez (n + r) (in_bernstein (n + r) (pbez n c 0 k)) by rewrite e -BZZ19_14_bernstein.
+exact: (bez_inj ind same le_i).
+Qed.
+
 (** BZZ19.13 net: for any $A\ne B$ the piece of $C_2$ on $[A,B]$ after $\hat T=\frac{\hat\sigma-A}{B-A}$ is a Bezier curve of degree $pd$, and it is
     $C_2(\sigma(a+(b-a)\hat t))$.
     Hypotheses: $A\ne B$ and no $C(pd,k)$ vanishes in the field, so that the coefficients have a meaning; the knots carry both pieces, so that their points have one.

@@ -51,7 +51,8 @@ Proof. by rewrite /L /M; split; field; rewrite ?pnatr_eq0. Qed.
 (** FJ21.E8 trimmed: for $g=1-\frac34t$: $\tilde\Lambda=\frac{9t^2-3t-32}{9(1-2t)}$ and $\tilde M=\frac{7t-16}{3(1-2t)}$ give $\Lambda=-\frac43$, $M=-2$ by (5.4) with $f=1$,
     $\tilde\sigma=1$.
     Hypotheses: a number field; $t\ne\frac12$, so that $\tilde\Lambda$ and $\tilde M$ have a meaning, and $t\ne\frac43$, where the ruling has no length, so that the quotients
-    of (5.4) have one, $G=H=0$ there. *)
+    of (5.4) have one, $G=H=0$ there.
+    Paper: writes $\tilde d=c+g(d-c)$; it is the rows that have $\tilde q=p+g(q-p)$, and the weights are not equal. *)
 Theorem FJ21_E8_trimmed t (g := fun x : F => 1 - 3%:R / 4%:R * x) (M := (7%:R * t - 16%:R) / (3%:R * (1 - 2%:R * t)))
     (L := (9%:R * t ^+ 2 - 3%:R * t - 32%:R) / (9%:R * (1 - 2%:R * t))) (G := 3%:R * g t + g M) : 1 - 2%:R * t != 0 -> 3%:R * t - 4%:R != 0 ->
   (1 * t + 3%:R * 1 * L + 1 * (3%:R * M * (g t - 1) + t * (g M - 1))) / (1 + 3%:R * 1 + 1 * (g M - 1 + 3%:R * (g t - 1))) = - (4%:R / 3%:R) /\
