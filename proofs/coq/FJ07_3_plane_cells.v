@@ -1,5 +1,5 @@
 (* FJ07, section 3: plane cells alone do not make a surface developable. *)
-From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier FJ07_3_cells FJ21_4 FJ07_2_cones FJ07_4.
+From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier FJ07_3_cells FJ21_4 FJ07_2_cones FJ07_4 BZZ19_3.
 
 Section Quadratic.
 Variable F : fieldType.
@@ -40,3 +40,20 @@ rewrite dif eC eD eC' eD' {val der dif eC eD eC' eD'} => det; have : 2%:R ^+ 3 =
 by move/eqP; rewrite expf_eq0 (negPf two) andbF.
 Qed.
 End Quadratic.
+
+Section Plane.
+Variable F : fieldType.
+Implicit Types (C D : 'rV[{poly F}]_3) (N : 'rV[F]_3) (h : F).
+
+(** FJ07.3 plane: curves in one plane $N\cdot x=h$ span a developable surface, a part of the plane.
+    Hypotheses: $N\ne0$, so that there is a plane. *)
+Theorem FJ07_3_plane C D N h : N != 0 -> dot (fixed N) C = h%:P -> dot (fixed N) D = h%:P -> developable C D.
+Proof.
+move=> N0 eC eD; have slope (X : 'rV[{poly F}]_3) : dot (fixed N) X = h%:P -> dot (fixed N) (pderiv X) = 0.
+  move/(congr1 (@deriv F)); rewrite derivC => <-; rewrite /dot /x_ /y_ /z_ !derivD !derivM !mxE !derivC.
+  by move: (X 0 _) (X 0 _) (X 0 _) => *; ring.
+apply/BZZ19_7_common; exists (fixed N); split; rewrite ?slope //.
+  by apply: contraNneq N0 => /rowP e; apply/eqP/rowP=> k; have /eqP := e k; rewrite !mxE polyC_eq0 => /eqP.
+by transitivity (dot (fixed N) D - dot (fixed N) C); [coordinates; hide_entries; ring | rewrite eC eD subrr].
+Qed.
+End Plane.
