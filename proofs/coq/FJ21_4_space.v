@@ -128,4 +128,20 @@ have slope (y : 'rV[K]_3) : pfderiv y 0 0 = fderiv (y 0 0) by rewrite mxE.
 rewrite slope [RHS]mxE [X in X + _]mxE [X in _ + X]mxE slope ep x1 -tofrac0 !fderiv_poly derivX derivC tofrac1 tofrac0 !mulr0 addr0 => /eqP.
 by rewrite oner_eq0.
 Qed.
+
+(** FJ21.4.3 projected_needs_turning: $p=(1,t,t^2,0)$, $q=(2,2t,2t^2,2)$, the same cylinder, has $p'=W'$, the frame $\lambda=\nu=0$, $\mu=1$, and $D=0$.
+    Hypotheses: $2\ne0$ in the field, so that there is a curve $d$. *)
+Theorem FJ21_4_3_projected_needs_turning (p : 'rV[{poly F}]_4 := row4 1 'X ('X ^+ 2) 0) (q : 'rV[{poly F}]_4 := p + (p + row4 0 0 0 2%:R)) : 2%:R != 0 :> F ->
+  [/\ weight q != 0, fframe (pfun p) (pfun q) 0 1 0 & weight (pfun p) - 1 * (weight (pfun q) - weight (pfun p)) = 0].
+Proof.
+move=> two; have wp : weight p = 1 by rewrite /weight mxE.
+have wq : weight q = 2%:R by rewrite /weight /q mxE [X in _ + X]mxE ![row4 _ _ _ _ 0 0]mxE /= addr0.
+split; rewrite ?weightE ?wp ?wq; first by rewrite -(rmorph_nat (polyC_rmorphism F)) polyC_eq0.
+  rewrite /fframe pfderivB !pfderiv_fun scale0r scale1r scale0r addr0 add0r.
+  have -> : pderiv q = pderiv p + pderiv p.
+    apply/rowP=> k; rewrite !mxE !derivD; congr (_ + _); rewrite -[RHS]addr0; congr (_ + _).
+    by case: k => -[|[|[|[|//]]]] lt_k; rewrite /= ?linear0 // -(rmorph_nat (polyC_rmorphism F)) derivC.
+  by rewrite pfunD addrK.
+by rewrite mul1r -[2%:R]/(1 + 1) tofracD addrK subrr.
+Qed.
 End Space.

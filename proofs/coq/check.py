@@ -80,6 +80,8 @@ def without_comments(text):
     return "".join(kept)
 
 
+forbidden = re.compile(r"\b(Admitted|Axioms?|Parameters?|Conjecture|admit|give_up|bypass_check|Unset (Guard|Positivity|Universe) Checking)\b")
+
 theorem = re.compile(r"\(\*\* (?P<id>[A-Za-z0-9.]+) (?P<word>\w+): (?P<text>.*?) ?\*\)\n"
                      r"(?P<statement>(?:Theorem|Lemma) (?P<name>\w+).*?\.)\nProof", re.S)
 
@@ -102,9 +104,8 @@ def theorems():
     found = []
     for file in sources():
         text = (here / file).read_text()
-        forbidden = re.search(r"\b(Admitted|Axioms?|Parameters?|Conjecture|admit|give_up|bypass_check|Unset (Guard|Positivity|Universe) Checking)\b", without_comments(text))
-        if forbidden:
-            fail(f"{file}: {forbidden.group()} has no place here")
+        if word := forbidden.search(without_comments(text)):
+            fail(f"{file}: {word.group()} has no place here")
         entries = [match.groupdict() | {"file": file} for match in theorem.finditer(text)]
         if len(entries) != text.count("\n(** "):
             fail(f"{file}: {text.count(chr(10) + '(** ')} comments begin with (** but {len(entries)} are followed by a statement with a claim id")
