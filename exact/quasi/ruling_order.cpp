@@ -1,7 +1,13 @@
 #include "torse/exact/quasi/ruling_order.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
 
+#include "torse/algebra/bernstein.hpp"
 #include "torse/algebra/determinant.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/scalar/interval.hpp"
@@ -9,58 +15,179 @@
 namespace torse {
 namespace {
 
-/// Gilbert's algorithm comes near soon and then hardly nearer.
-constexpr int most_steps = 200;
+using Direction = Vec<double, 3>;
 
 /// A direction is good enough when its least product is this share of the largest there can be.
 constexpr double good = 0.25;
 
-}  // namespace
+/// The share of the size of its terms that rounding may have made of a normal: some bits more than it does.
+constexpr double rounding = 0x1p-40;
 
-Vec<double, 3> common_side(std::span<const RulingTangents<double>> parts) {
-  std::vector<Vec<double, 3>> normals;
-  Vec<double, 3> e(0, 0, 0);
-  for (const RulingTangents<double>& of : parts) {
-    for (const Vec<double, 3>& w : of.w) {
-      for (const RulingTangents<double>& other : parts) {
-        for (const Vec<double, 3>& tangent : other.rails) {
-          const Vec<double, 3> normal = cross(w, tangent).normalized();
-          if (!normal.allFinite() || normal.isZero(0)) continue;
-          normals.push_back(normal);
-          e += normal;
+/// Some of the given points, at most four, and the weights of the point nearest to 0 in their hull.
+class Corral {
+ public:
+  explicit Corral(const Direction& point) : points_{point}, weights_{1} {}
+
+  Direction nearest() const {
+    Direction x(0, 0, 0);
+    for (std::size_t i = 0; i < points_.size(); ++i) x += weights_[i] * points_[i];
+    return x;
+  }
+
+  /// Four points are about 0, apart from rounding: there is none nearer.
+  bool full() const { return points_.size() == 4; }
+
+  /// Takes in a further point and leaves out those that the nearest one does without.
+  void take_in(const Direction& point) {
+    points_.push_back(point);
+    weights_.push_back(0);
+    for (;;) {
+      const std::vector<double> wanted = nearest_on_plane();
+      if (std::ranges::all_of(wanted, [](double weight) { return weight > 0; })) {
+        weights_ = wanted;
+        return;
+      }
+      double share = 1;
+      std::size_t first = 0;
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (wanted[i] > 0) continue;
+        const double until = weights_[i] > 0 ? weights_[i] / (weights_[i] - wanted[i]) : 0;
+        if (until <= share) {
+          share = until;
+          first = i;
         }
+      }
+      for (std::size_t i = 0; i < wanted.size(); ++i) weights_[i] += share * (wanted[i] - weights_[i]);
+      points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(first));
+      weights_.erase(weights_.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+  }
+
+ private:
+  /// The weights, of sum 1, of the point nearest to 0 on the line, plane or space through the points.
+  std::vector<double> nearest_on_plane() const {
+    if (points_.size() == 1) return {1};
+    Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3> ways(3, points_.size() - 1);
+    for (std::size_t i = 1; i < points_.size(); ++i) ways.col(static_cast<int>(i) - 1) = points_[i] - points_[0];
+    const auto shares = ways.completeOrthogonalDecomposition().solve(-points_[0]).eval();
+    std::vector<double> weights{1 - shares.sum()};
+    weights.insert(weights.end(), shares.begin(), shares.end());
+    return weights;
+  }
+
+  std::vector<Direction> points_;
+  std::vector<double> weights_;
+};
+
+/// Nearest to 0 in the hull of unit vectors, up to `good`: Wolfe's algorithm.
+Direction nearest_in_hull(const std::vector<Direction>& points) {
+  Corral corral(points.front());
+  for (Direction x = corral.nearest();;) {
+    const auto product = [&](const Direction& point) { return x.dot(point); };
+    const Direction& worst = *std::ranges::min_element(points, {}, product);
+    if (corral.full() || product(worst) > good * x.squaredNorm()) return x;
+    corral.take_in(worst);
+    const Direction nearer = corral.nearest();
+    if (nearer.squaredNorm() >= x.squaredNorm()) return x;
+    x = nearer;
+  }
+}
+
+/// A product of a coefficient of w and one of a rail, and how often it is taken.
+template <class S>
+struct Term {
+  int of_w;
+  int of_rail;
+  S weight;
+};
+
+/// What each coefficient of w(s) x a(t) is the sum of, but for positive factors.
+template <class S>
+using Sums = std::vector<std::vector<Term<S>>>;
+
+/// For all s and t of two parts.
+template <class S>
+Sums<S> each_product(int p, int q) {
+  Sums<S> sums;
+  for (int j = 0; j <= p; ++j) {
+    for (int i = 0; i <= q; ++i) sums.push_back({{j, i, from_int<S>(1)}});
+  }
+  return sums;
+}
+
+/// For s <= t of one part: coefficient j of w(r t) by Bernstein polynomials of r is sum_k B_k^j(t) w_k, so that
+/// coefficient m in t of its product with a is the sum of C(j, k) C(q, m - k) w_k x a_{m-k}, divided by C(j + q, m).
+template <class S>
+Sums<S> ordered_products(int p, int q) {
+  Sums<S> sums;
+  const std::vector<S> of_rail = binomials<S>(q);
+  for (int j = 0; j <= p; ++j) {
+    const std::vector<S> of_w = binomials<S>(j);
+    for (int m = 0; m <= j + q; ++m) {
+      sums.emplace_back();
+      for (int k = std::max(0, m - q); k <= std::min(j, m); ++k) {
+        sums.back().push_back({k, m - k, of_w[static_cast<std::size_t>(k)] * of_rail[static_cast<std::size_t>(m - k)]});
       }
     }
   }
-  e /= static_cast<double>(normals.size());
-  for (int step = 0; step < most_steps && !normals.empty(); ++step) {
-    const auto product = [&](const Vec<double, 3>& normal) { return e.dot(normal); };
-    const Vec<double, 3>& worst = *std::ranges::min_element(normals, {}, product);
-    if (product(worst) > good * e.squaredNorm()) break;
-    const Vec<double, 3> way = worst - e;
-    e += std::clamp(-e.dot(way) / way.squaredNorm(), 0.0, 1.0) * way;
+  return sums;
+}
+
+/// Calls visit(w, rail, sums, number of the part of w, whether the rail is of it) for the rulings of each part and the
+/// rails of it and those behind.
+template <class S, class Visit>
+void for_each_pair(std::span<const RulingTangents<S>> parts, const Visit& visit) {
+  const auto degree = [](const std::vector<Vec<S, 3>>& row) { return static_cast<int>(row.size()) - 1; };
+  for (std::size_t first = 0; first < parts.size(); ++first) {
+    const std::vector<Vec<S, 3>>& w = parts[first].w;
+    for (std::size_t second = first; second < parts.size(); ++second) {
+      for (const auto* rail : {&parts[second].a, &parts[second].b}) {
+        const auto sums =
+            first == second ? ordered_products<S>(degree(w), degree(*rail)) : each_product<S>(degree(w), degree(*rail));
+        visit(w, *rail, sums, first, first == second);
+      }
+    }
   }
-  return e.normalized();
+}
+
+}  // namespace
+
+Direction common_side(std::span<const RulingTangents<double>> parts) {
+  std::vector<Direction> normals;
+  for_each_pair(parts, [&](const auto& w, const auto& rail, const Sums<double>& sums, std::size_t, bool) {
+    for (const std::vector<Term<double>>& sum : sums) {
+      Direction normal(0, 0, 0);
+      double size = 0;
+      for (const Term<double>& term : sum) {
+        const Direction& x = w[static_cast<std::size_t>(term.of_w)];
+        const Direction& y = rail[static_cast<std::size_t>(term.of_rail)];
+        normal += term.weight * cross(x, y);
+        size += term.weight * x.norm() * y.norm();
+      }
+      if (normal.norm() > rounding * size) normals.push_back(normal.normalized());
+    }
+  });
+  if (normals.empty()) return Direction::Constant(std::numeric_limits<double>::quiet_NaN());
+  return nearest_in_hull(normals).normalized();
 }
 
 template <Field S>
 Truth on_one_side(std::span<const RulingTangents<S>> parts, const Vec<S, 3>& e) {
   Truth all = Truth::yes;
-  for (const RulingTangents<S>& of : parts) {
-    Truth still = Truth::yes;  // the part's own products are all 0
-    for (const Vec<S, 3>& w : of.w) {
-      const Vec<S, 3> side = cross(e, w);
-      for (const RulingTangents<S>& other : parts) {
-        for (const Vec<S, 3>& tangent : other.rails) {
-          const S product = dot(side, tangent);
-          all = all & !less(product, from_int<S>(0));
-          if (&of == &other) still = still & is_zero(product);
-          if (all == Truth::no) return all;
-        }
+  std::vector<Truth> still(parts.size(), Truth::yes);  // a part's own products are all 0
+  for_each_pair(parts, [&](const auto& w, const auto& rail, const Sums<S>& sums, std::size_t part, bool own) {
+    for (const std::vector<Term<S>>& sum : sums) {
+      if (all == Truth::no) return;
+      S total = from_int<S>(0);
+      for (const Term<S>& term : sum) {
+        const Vec<S, 3>& x = w[static_cast<std::size_t>(term.of_w)];
+        total += term.weight * dot(cross(e, x), rail[static_cast<std::size_t>(term.of_rail)]);
       }
+      all = all & !less(total, from_int<S>(0));
+      if (own) still[part] = still[part] & is_zero(total);
     }
-    all = all & !still;
-  }
+  });
+  for (const Truth& part : still) all = all & !part;
   return all;
 }
 

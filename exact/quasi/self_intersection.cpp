@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,8 @@ constexpr long pairs_per_attempt = 16;
 double middle(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
 
 Direction middle(const Box& x) { return {middle(x[0]), middle(x[1]), middle(x[2])}; }
+
+Direction nowhere() { return Direction::Constant(std::numeric_limits<double>::quiet_NaN()); }
 
 Box as_box(const Direction& x) { return {Interval::point(x[0]), Interval::point(x[1]), Interval::point(x[2])}; }
 
@@ -172,19 +176,15 @@ bool separated(const Part& x, const Part& y) {
          separated_along(x, y, at_middle(y.hull) - at_middle(x.hull));
 }
 
-template <class Row>
-std::vector<Row> joined(std::vector<Row> row, const std::vector<Row>& more) {
-  row.insert(row.end(), more.begin(), more.end());
-  return row;
-}
-
-RulingTangents<Interval> rounded_tangents(const Part& part) { return {part.w, joined(part.a, part.b)}; }
+RulingTangents<Interval> rounded_tangents(const Part& part) { return {part.w, part.a, part.b}; }
 
 RulingTangents<double> middles(const RulingTangents<Interval>& tangents) {
-  RulingTangents<double> result;
-  for (const Box& w : tangents.w) result.w.push_back(middle(w));
-  for (const Box& tangent : tangents.rails) result.rails.push_back(middle(tangent));
-  return result;
+  const auto of = [](const std::vector<Box>& row) {
+    std::vector<Direction> result;
+    for (const Box& x : row) result.push_back(middle(x));
+    return result;
+  };
+  return {of(tangents.w), of(tangents.a), of(tangents.b)};
 }
 
 /// Three forms on a part of [0, 1], exactly.
@@ -206,36 +206,67 @@ std::vector<Vec<Q, 3>> exact_row(const FormVector<Q>& forms, const Part& part) {
 }
 
 RulingTangents<Q> exact_tangents(const Part& part) {
-  return {exact_row(part.forms->w, part), joined(exact_row(part.forms->a, part), exact_row(part.forms->b, part))};
+  return {exact_row(part.forms->w, part), exact_row(part.forms->a, part), exact_row(part.forms->b, part)};
 }
 
-/// Parts of the strip one behind the other, and a direction by which their rulings may be in order.
+template <class S>
+std::vector<RulingTangents<S>> backwards(std::vector<RulingTangents<S>> parts) {
+  std::ranges::reverse(parts);
+  for (RulingTangents<S>& part : parts) {
+    for (auto* row : {&part.w, &part.a, &part.b}) std::ranges::reverse(*row);
+  }
+  return parts;
+}
+
+/// Parts of the strip one behind the other, which may be in order from either end: tangents of a curve ahead of it are
+/// from its beginning.
 class Run {
  public:
   explicit Run(std::vector<const Part*> parts) : parts_(std::move(parts)) {
+    // A rail that passes through infinity comes back from the other side.
+    if (!std::ranges::all_of(parts_, &Part::within_hull)) return;
     std::vector<RulingTangents<double>> rounded;
     for (const Part* part : parts_) {
       tangents_.push_back(rounded_tangents(*part));
       rounded.push_back(middles(tangents_.back()));
     }
-    e_ = common_side(rounded);
+    sides_ = {common_side(rounded), common_side(backwards(rounded))};
   }
 
   /// Whether all rulings leave each other to the same side.
-  Truth in_order() const { return e_.allFinite() ? on_one_side<Interval>(tangents_, as_box(e_)) : Truth::unknown; }
+  Truth in_order() const { return from_either_end(tangents_); }
 
   /// The same without rounding, for products that vanish: a rail along its ruling, or at rest.
   Truth in_order_exactly() const {
-    if (!e_.allFinite()) return Truth::unknown;
     std::vector<RulingTangents<Q>> tangents;
     for (const Part* part : parts_) tangents.push_back(exact_tangents(*part));
-    return on_one_side<Q>(tangents, Vec<Q, 3>(Q::from_double(e_[0]), Q::from_double(e_[1]), Q::from_double(e_[2])));
+    return from_either_end(tangents);
   }
 
  private:
+  template <class S>
+  Truth from_either_end(const std::vector<RulingTangents<S>>& tangents) const {
+    const Truth ahead = to_side(tangents, sides_[0]);
+    return ahead == Truth::yes ? ahead : ahead | to_side(backwards(tangents), sides_[1]);
+  }
+
+  template <class S>
+  static Truth to_side(const std::vector<RulingTangents<S>>& tangents, const Direction& e) {
+    if (!e.allFinite()) return Truth::unknown;
+    Vec<S, 3> side;
+    for (int k = 0; k < 3; ++k) {
+      if constexpr (std::is_same_v<S, Q>) {
+        side[k] = Q::from_double(e[k]);
+      } else {
+        side[k] = S::point(e[k]);
+      }
+    }
+    return on_one_side<S>(tangents, side);
+  }
+
   std::vector<const Part*> parts_;
   std::vector<RulingTangents<Interval>> tangents_{};
-  Direction e_{};
+  std::array<Direction, 2> sides_{nowhere(), nowhere()};
 };
 
 class Search {
@@ -247,7 +278,8 @@ class Search {
         left_(most_pairs),
         attempts_left_(most_pairs / pairs_per_attempt),
         exact_left_(static_cast<int>(std::min(most_pairs / pairs_per_exact, most_exact))) {
-    begin_with(parts);
+    for (std::size_t piece = 0; piece < parts.size() && !witness_; ++piece) witness_ = finder.within(piece);
+    if (!witness_) begin_with(parts);
     for (; !pairs_.empty() && !witness_ && left_ > 0; pairs_.pop_front()) {
       look_at(*pairs_.front().first, *pairs_.front().second);
     }
@@ -285,7 +317,10 @@ class Search {
   }
 
   bool settled(const Part& x, const Part& y) {
-    const Run run(&x == &y ? std::vector<const Part*>{&x} : std::vector<const Part*>{&x, &y});
+    const bool over_seam = x.end != y.begin;
+    const Run run(&x == &y    ? std::vector<const Part*>{&x}
+                  : over_seam ? std::vector<const Part*>{&y, &x}
+                              : std::vector<const Part*>{&x, &y});
     const Truth rounded = run.in_order();
     if (rounded != Truth::unknown || exact_left_ == 0) return rounded == Truth::yes;
     --exact_left_;

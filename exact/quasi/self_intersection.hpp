@@ -21,12 +21,13 @@ struct SelfIntersection {
 
 /// Looks for crossings of rulings between the rails. `no` is certified, by intervals around exact numbers:
 /// - two parts of the strip are apart if a plane separates the hulls of their control points;
-/// - within a part no two rulings cross if for some direction e the products det(e, w_j, a_i) and det(e, w_j, b_i) of
-///   the Bernstein coefficients of w = d - c, a ~ c' and b ~ d' are all at least 0 and not all 0: then both rails leave
-///   every ruling to the same side. Neighbouring rulings may share a point of a rail (the vertex of a cone).
-/// `yes` is certified by a crossing near the witness, see CrossingFinder. `unknown` where `most_pairs` pairs of parts
-/// did not tell, as for strips that touch themselves. The ends of a closed strip may meet. D = 3: points of a
-/// polynomial surface, D = 4: homogeneous rows. Where a rail's weights have both signs, parts are not separated before
+/// - within a part, or some behind each other, no two rulings cross if for some direction e both rails leave every
+///   ruling to the same side at all later parameters, see on_one_side. Neighbouring rulings may share a point of a rail
+///   (the vertex of a cone).
+/// `yes` is certified by a crossing near the witness, see CrossingFinder; rulings that slide along themselves do.
+/// `unknown` where `most_pairs` pairs of parts did not tell, as for strips that touch themselves or have their edge of
+/// regression between the rails. The ends of a closed strip may meet. D = 3: points of a polynomial surface, D = 4:
+/// homogeneous rows. Where a rail's weights have both signs, parts are neither separated nor in order before
 /// subdivision has parted these.
 template <int D>
 SelfIntersection find_self_intersection(const KnotList<Rational>& u, std::span<const Vec<Rational, D>> c,

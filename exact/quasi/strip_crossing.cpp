@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "torse/algebra/determinant.hpp"
 #include "torse/algebra/linear_system.hpp"
 #include "torse/exact/quasi/krawczyk.hpp"
 #include "torse/exact/warp/quotient.hpp"
@@ -16,6 +17,11 @@ using Q = Rational;
 
 /// Newton's method doubles the digits with a step once it is near; what it does not find by then it is not near to.
 constexpr int most_steps = 30;
+
+/// Where rulings that slide along each other are looked at: one of so many places, and its neighbours up to as many
+/// halvings.
+constexpr long most_places = 40;
+constexpr int most_halvings = 40;
 
 /// Of two or three coordinates.
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, 3, 4>;
@@ -59,9 +65,14 @@ CrossingFinder::CrossingFinder(const KnotList<Q>& u, std::span<const Vec<Q, D>> 
     lengths_.push_back(Q(u.piece_end(k) - u.piece_begin(k)).to_double());
     const auto c_rows = homogeneous<D>(bezier_points(u, c, k));
     const auto d_rows = homogeneous<D>(bezier_points(u, d, k));
+    Echelon<Q, 4> of_piece;
     for (const auto* rows : {&c_rows, &d_rows}) {
-      for (const auto& row : *rows) span.insert(row);
+      for (const auto& row : *rows) {
+        span.insert(row);
+        of_piece.insert(row);
+      }
     }
+    on_a_line_.push_back(of_piece.rank() <= 2);
     const auto nearest = [](const Q& x) { return x.to_double(); };
     const auto hull = [](const Q& x) { return enclosure(x); };
     rounded_.push(changed<double>(c_rows, nearest), changed<double>(d_rows, nearest));
@@ -91,6 +102,30 @@ std::optional<RulingCrossing> CrossingFinder::near(double s, double t) const {
   }
   return RulingCrossing{parameter(at.first_piece, at.x[0]), at.x[1], parameter(at.second_piece, at.x[2]), at.x[3],
                         meeting(rounded_, at).gap.norm()};
+}
+
+std::optional<RulingCrossing> CrossingFinder::within(std::size_t piece) const {
+  if (!on_a_line_[piece]) return std::nullopt;
+  for (long inverse = 2; inverse < most_places; ++inverse) {
+    const Q share = ratio<Q>(1, inverse);
+    try {
+      const StripPoint<Q> start = exact_.at(piece, share, Q(0));
+      const Q square = dot(start.by_v, start.by_v);
+      // The middles of the rulings nearby come to that of this one.
+      Q step = share;
+      for (int halvings = 0; halvings < most_halvings; ++halvings) {
+        step /= Q(2);
+        const Vec<Q, 3> middle = exact_.at(piece, share - step, ratio<Q>(1, 2)).point;
+        const Q way = dot(difference(middle, start.point), start.by_v) / square;
+        if (way.sign() <= 0 || way >= Q(1)) continue;
+        return RulingCrossing{parameter(piece, Q(share - step).to_double()), 0.5, parameter(piece, share.to_double()),
+                              way.to_double(), 0};
+      }
+    } catch (const DivisionByZero&) {
+      // A ruling that is a point, or a weight of 0: there are some such shares at most, if not all are.
+    }
+  }
+  return std::nullopt;
 }
 
 template <class S>

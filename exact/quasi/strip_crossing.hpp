@@ -46,6 +46,10 @@ class CrossingFinder {
   /// where the strip is closed.
   std::optional<RulingCrossing> near(double s, double t) const;
 
+  /// A crossing in a piece that lies on a line, whose rulings slide along each other, unless both rails are the same
+  /// there. Proved exactly; the witness is rounded.
+  std::optional<RulingCrossing> within(std::size_t piece) const;
+
  private:
   /// Two points, by the numbers of their pieces and both shares and ways.
   template <class S>
@@ -74,6 +78,7 @@ class CrossingFinder {
   StripPoints<Rational> exact_{};
   StripPoints<double> rounded_{};
   StripPoints<Interval> enclosed_{};
+  std::vector<bool> on_a_line_{};
   std::vector<int> coordinates_{0, 1, 2};  ///< that tell points of the strip apart
 };
 

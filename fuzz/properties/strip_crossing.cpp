@@ -1,7 +1,10 @@
 #include "torse/fuzz/properties/strip_crossing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "torse/exact/quasi/self_intersection.hpp"
 #include "torse/fuzz/draw/knots.hpp"
@@ -13,6 +16,26 @@ namespace {
 
 using In = StripCrossing::In;
 using Q = Rational;
+
+struct Kind {
+  std::string_view name;
+  bool crosses;
+};
+
+constexpr std::array kinds{
+    Kind{"onward", false},    // rails that go on in one direction
+    Kind{"crossing", true},   // two rulings with a common point
+    Kind{"tangents", false},  // tangents of a curve on one side of it
+    Kind{"slide", true},      // a piece along its ruling
+    Kind{"fold", true},       // tangents of a plane curve on both sides of it
+    Kind{"edge", false},      // tangents of a twisted curve on both sides of it
+};
+
+const Kind& kind_of(const In& in) {
+  const auto* const kind = std::ranges::find(kinds, in.kind, &Kind::name);
+  require(kind != kinds.end(), "a kind of strips that there is not");
+  return *kind;
+}
 
 /// Points that go on and on in the direction of x over one plane y = height, or along any curve.
 std::vector<Point3> draw_row(Choices& choices, int count, int height, bool onward) {
@@ -65,6 +88,58 @@ void make_cross(Choices& choices, In& in) {
   for (int i = 0; i < 3; ++i) in.c[moved][i] += (y[i] - x[i]) / influence;
 }
 
+/// One piece slides along its ruling: all of its rulings have half of one segment in common.
+void make_slide(Choices& choices, In& in) {
+  const std::vector<int> pieces = in.knots.proper_pieces();
+  const int piece = pieces[choices.below(pieces.size())];
+  const std::size_t begin = static_cast<std::size_t>(piece - 1);
+  const std::size_t end = begin + static_cast<std::size_t>(in.knots.degree());
+  const Point3 start = in.c[begin];
+  const Point3 way = in.d[begin] - start;
+  for (std::size_t i = begin; i <= end; ++i) {
+    const int place = i == begin ? -1 : i == end ? 1 : choices.between(-1, 1);
+    in.c[i] = start + Q(place) / Q(4) * way;
+    in.d[i] = start + Q(4 + choices.between(-1, 1)) / Q(4) * way;
+  }
+}
+
+/// A curve over the parabola (s, s^2), s in [0, 1] on the domain, and its tangents from `behind` to `ahead` of it.
+/// Those of two parameters, seen from above, meet ahead of the first and behind the second, halfway between.
+void make_tangents(In& in, const std::array<Q, 3>& height, const Q& behind, const Q& ahead) {
+  const Q begin = in.knots.domain_begin();
+  const Q length = in.knots.domain_end() - begin;
+  const plain::Poly s{Q(-begin / length), Q(Q(1) / length)};
+  const plain::Poly square = plain::times(s, s);
+  const plain::Poly cube = plain::times(square, s);
+  const plain::Poly over = plain::plus(plain::plus(plain::scaled(height[0], s), plain::scaled(height[1], square)),
+                                       plain::scaled(height[2], cube));
+  const plain::PolyRow<3> edge{s, square, height[2].sign() == 0 ? plain::Poly(over.begin(), over.begin() + 3) : over};
+  const auto moved = [&](const Q& share) {
+    const plain::PolyRow<3> slope = plain::derivative<3>(edge);
+    plain::Pieces<3> curve{.breaks = plain::breaks_of(in.knots), .rows = {}};
+    plain::PolyRow<3> row;
+    for (std::size_t j = 0; j < 3; ++j) row[j] = plain::plus(edge[j], plain::scaled(share * length, slope[j]));
+    curve.rows.assign(curve.breaks.size() - 1, row);
+    return plain::control_row<3>(curve, in.knots);
+  };
+  in.c = moved(-behind);
+  in.d = moved(ahead);
+}
+
+/// The same strip on other axes, perhaps from its other rail.
+void lean(Choices& choices, In& in) {
+  const std::array<Q, 3> by{Q(choices.between(-2, 2)), Q(choices.between(-2, 2)), Q(choices.between(-2, 2))};
+  const bool turned = choices.once_in(2);
+  if (choices.once_in(2)) std::swap(in.c, in.d);
+  for (std::vector<Point3>* row : {&in.c, &in.d}) {
+    for (Point3& p : *row) {
+      p[0] += by[0] * p[1] + by[1] * p[2];
+      p[1] += by[2] * p[2];
+      if (turned) p = {p[2], p[0], p[1]};
+    }
+  }
+}
+
 /// Every piece is long enough for parameters in doubles, in which witnesses are.
 bool told_apart(const KnotList<Q>& u) {
   const auto magnitude = [](const Q& x) { return x.sign() < 0 ? Q(-x) : x; };
@@ -107,8 +182,8 @@ const PropertyInfo& StripCrossing::info() {
                                  "rulings that cross by construction are never said not to, those that cannot are "
                                  "never said to, and the crossing that is named is one",
                                  2,
-                                 {"cannot=no", "crosses=yes"},
-                                 {"cannot=no", "crosses=yes"}};
+                                 {"onward=no", "tangents=no", "crossing=yes", "slide=yes", "fold=yes"},
+                                 {"onward=no", "tangents=no", "crossing=yes", "slide=yes", "fold=yes"}};
   return info;
 }
 
@@ -118,19 +193,36 @@ StripCrossing::In StripCrossing::draw(Choices& choices, const Scale& scale, Labe
   small.pieces = std::min(scale.pieces, 3);
   In in{.knots = draw_knots(choices, small)};
   if (!told_apart(in.knots)) throw Discard("knots that doubles hardly tell apart");
-  in.crosses = choices.once_in(2);
-  const int count = in.knots.last() + 1;
-  in.c = draw_row(choices, count, 0, !in.crosses);
-  in.d = draw_row(choices, count, choices.between(1, 9), !in.crosses);
-  if (in.crosses) make_cross(choices, in);
+  in.kind = kinds[choices.below(kinds.size())].name;
+  const auto some = [&] { return Q(choices.between(1, 8)) / Q(4); };
+  if (in.kind == "tangents" || in.kind == "fold" || in.kind == "edge") {
+    const int degree = in.knots.degree();
+    const bool edge = in.kind == "edge";
+    if (degree < (edge ? 3 : 2)) throw Discard("a degree that no such edge of regression has");
+    // In a plane tangents meet on both sides; those of a twisted cubic never do.
+    const bool twisted = edge || (in.kind == "tangents" && degree == 3);
+    const std::array<Q, 3> height{Q(choices.between(-4, 4)), Q(choices.between(-4, 4)), twisted ? some() : Q(0)};
+    std::array<Q, 2> reach{some(), some()};
+    if (in.kind == "tangents") reach[choices.below(2)] = Q(0);
+    make_tangents(in, height, reach[0], reach[1]);
+  } else {
+    const int count = in.knots.last() + 1;
+    const bool onward = in.kind == "onward" || (in.kind == "slide" && choices.once_in(2));
+    in.c = draw_row(choices, count, 0, onward);
+    in.d = draw_row(choices, count, choices.between(1, 9), onward);
+    if (in.kind == "crossing") make_cross(choices, in);
+    if (in.kind == "slide") make_slide(choices, in);
+  }
+  lean(choices, in);
   return in;
 }
 
 void StripCrossing::check(const In& in, Labels& labels) {
   const SelfIntersection verdict = find_self_intersection<3>(in.knots, in.c, in.d, 2000);
   const std::string answer = verdict.crosses == Truth::yes ? "yes" : verdict.crosses == Truth::no ? "no" : "unknown";
-  labels.add(in.crosses ? "crosses" : "cannot", answer);
-  require(answer != (in.crosses ? "no" : "yes"), "rulings cross or do not, and the opposite is said");
+  const Kind& kind = kind_of(in);
+  labels.add(kind.name, answer);
+  require(answer != (kind.crosses ? "no" : "yes"), "rulings cross or do not, and the opposite is said");
   require(verdict.witness.has_value() == (verdict.crosses == Truth::yes), "a witness too many or too few");
   if (verdict.witness) check_witness(in, *verdict.witness);
 }

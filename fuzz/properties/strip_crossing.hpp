@@ -1,6 +1,8 @@
 // strip.crossing: rulings that cross by construction are never said not to, and those that cannot are never said to.
 #pragma once
 
+#include <string>
+
 #include "torse/fuzz/draw/polygons.hpp"
 #include "torse/fuzz/property.hpp"
 #include "torse/spline/knots.hpp"
@@ -12,14 +14,14 @@ struct StripCrossing {
     KnotList<Rational> knots = bezier_knots<Rational>(1);
     std::vector<Point3> c{};
     std::vector<Point3> d{};
-    bool crosses = false;  ///< by construction; else it cannot
+    std::string kind{"onward"};  ///< tells whether rulings cross, by construction
 
     template <class Self, class Visitor>
     static void fields(Self& in, Visitor& visit) {
       visit("knots", in.knots);
       visit("c", in.c);
       visit("d", in.d);
-      visit("crosses", in.crosses);
+      visit("kind", in.kind);
     }
   };
 

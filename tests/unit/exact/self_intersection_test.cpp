@@ -146,14 +146,46 @@ TEST(SelfIntersection, SteepStripsDoNot) {
 
 /// The rulings of the middle piece slide along themselves, so that they lie upon each other; before and behind it the
 /// strip goes on to one side.
-TEST(SelfIntersection, RulingsThatSlideAlongThemselvesAreNotSaidToBeApart) {
+TEST(SelfIntersection, RulingsThatSlideAlongThemselvesCross) {
   const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3)});
   const Row c{point(0, 0, -1), point(0, 0, 0), point(1, 0, 0), point(1, 0, 1)};
   const Row d{point(3, 0, -1), point(3, 0, 0), point(4, 0, 0), point(4, 0, 1)};
-  EXPECT_NE(crosses(u, c, d), Truth::no);
+  expect_witness(u, c, d);
   // Without the middle piece.
   const KnotList<Q> two(1, {Q(0), Q(1), Q(2)});
   EXPECT_EQ(crosses(two, {c[0], c[1], point(0, 0, 1)}, {d[0], d[1], point(3, 0, 1)}), Truth::no);
+}
+
+/// Tangents of the cubic (t, t^2, t^3) ahead of it, up to one derivative away, and those on both sides of its shadow.
+TEST(SelfIntersection, ARailMayBeItsEdgeOfRegression) {
+  const auto third = [](int x, int y, int z) { return Point(ratio<Q>(x, 3), ratio<Q>(y, 3), ratio<Q>(z, 3)); };
+  const Row edge{third(0, 0, 0), third(1, 0, 0), third(2, 1, 0), third(3, 3, 3)};
+  const Row ahead{third(3, 0, 0), third(4, 2, 0), third(5, 5, 3), third(6, 9, 12)};
+  EXPECT_EQ(crosses(bezier_knots<Q>(3), edge, ahead), Truth::no);
+  EXPECT_EQ(crosses(bezier_knots<Q>(3), ahead, edge), Truth::no);
+  const auto reversed = [](Row row) {
+    std::ranges::reverse(row);
+    return row;
+  };
+  EXPECT_EQ(crosses(bezier_knots<Q>(3), reversed(edge), reversed(ahead)), Truth::no);
+  const auto flat = [](Row row) {
+    for (Point& x : row) x[2] = Q(0);
+    return row;
+  };
+  Row behind = flat(edge);
+  for (std::size_t i = 0; i < 4; ++i) behind[i] = Point(behind[i] * Q(2) - flat(ahead)[i]);
+  expect_witness(bezier_knots<Q>(3), behind, flat(ahead));
+}
+
+/// x = (2t - 1) / ((t - 1/4)(t - 3/4)) decreases between its poles from every number to every other one, so that each
+/// wall over it stands three times.
+TEST(SelfIntersection, RailsThroughInfinityAreNotInOrder) {
+  using Row4 = std::vector<Vec<Q, 4>>;
+  const auto row = [](const Q& w, int x, const Q& z) { return Vec<Q, 4>(w, Q(x), Q(0), z); };
+  const Q end = ratio<Q>(3, 16), middle = ratio<Q>(-5, 16);
+  const Row4 c{row(end, -1, Q(0)), row(middle, 0, Q(0)), row(end, 1, Q(0))};
+  const Row4 d{row(end, -1, end), row(middle, 0, middle), row(end, 1, end)};
+  EXPECT_EQ(find_self_intersection<4>(bezier_knots<Q>(2), c, d).crosses, Truth::yes);
 }
 
 TEST(SelfIntersection, PlanesConesAndClosedStripsDoNot) {

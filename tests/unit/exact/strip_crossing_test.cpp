@@ -195,6 +195,41 @@ TEST(CrossingFinder, NamesParametersOfTheKnots) {
   EXPECT_LT(found->distance, 1e-14);
 }
 
+std::optional<RulingCrossing> within(const Row& c, const Row& d) {
+  return CrossingFinder(bezier_knots<Q>(2), std::span<const Point>(c), std::span<const Point>(d)).within(0);
+}
+
+/// Along the line of (1, 2, 2): from t to 3 + t, where every two rulings overlap, and to 5t, where those of s < t do if
+/// t < 5s.
+TEST(CrossingFinder, RulingsThatSlideOverlap) {
+  const auto row = [](int begin, int middle, int end) {
+    Row points;
+    for (const int x : {begin, middle, end}) points.push_back(point(x, 2 * x, 2 * x));
+    return points;
+  };
+  const auto expect_found = [&](const Row& c, const Row& d, const auto& from, const auto& to) {
+    const std::optional<RulingCrossing> found = within(c, d);
+    ASSERT_TRUE(found);
+    EXPECT_LT(found->first, found->second);
+    for (const double way : {found->first_share, found->second_share}) {
+      EXPECT_GT(way, 0);
+      EXPECT_LT(way, 1);
+    }
+    const auto at = [&](double t, double way) { return (1 - way) * from(t) + way * to(t); };
+    EXPECT_NEAR(at(found->first, found->first_share), at(found->second, found->second_share), 1e-14);
+  };
+  const auto share = [](double t) { return 2 * t; };
+  expect_found(row(0, 1, 2), row(6, 7, 8), share, [](double t) { return 6 + 2 * t; });
+  expect_found(row(0, 1, 2), row(0, 5, 10), share, [](double t) { return 10 * t; });
+  expect_found(
+      row(0, 0, 100), row(1, 1, 101), [](double t) { return 100 * t * t; }, [](double t) { return 100 * t * t + 1; });
+  // The ruling of 1/2 is a point: from 2t to 2t + (1 - 2t)^2.
+  expect_found(row(0, 1, 2), row(1, 0, 3), share, [](double t) { return 2 * t + (1 - 2 * t) * (1 - 2 * t); });
+  // No rulings, and no line.
+  EXPECT_FALSE(within(row(0, 1, 2), row(0, 1, 2)));
+  EXPECT_FALSE(within(row(0, 1, 2), {point(6, 12, 12), point(7, 14, 14), point(8, 16, 17)}));
+}
+
 /// c: the quarter of the unit circle ((1 - t^2) / (1 + t^2), 2t / (1 + t^2)); d: (2, 3t, 5).
 TEST(StripPoints, HaveTheDerivativesOfTheirFormulas) {
   StripPoints<Q> strip;
