@@ -1,6 +1,5 @@
 #include "torse/exact/quasi/ruling_order.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "torse/algebra/bernstein.hpp"
 #include "torse/algebra/determinant.hpp"
+#include "torse/exact/quasi/nearest_in_hull.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/scalar/interval.hpp"
 
@@ -22,76 +22,6 @@ constexpr double good = 0.25;
 
 /// The share of the size of its terms that rounding may have made of a normal: some bits more than it does.
 constexpr double rounding = 0x1p-40;
-
-/// Some of the given points, at most four, and the weights of the point nearest to 0 in their hull.
-class Corral {
- public:
-  explicit Corral(const Direction& point) : points_{point}, weights_{1} {}
-
-  Direction nearest() const {
-    Direction x(0, 0, 0);
-    for (std::size_t i = 0; i < points_.size(); ++i) x += weights_[i] * points_[i];
-    return x;
-  }
-
-  /// Four points are about 0, apart from rounding: there is none nearer.
-  bool full() const { return points_.size() == 4; }
-
-  /// Takes in a further point and leaves out those that the nearest one does without.
-  void take_in(const Direction& point) {
-    points_.push_back(point);
-    weights_.push_back(0);
-    for (;;) {
-      const std::vector<double> wanted = nearest_on_plane();
-      if (std::ranges::all_of(wanted, [](double weight) { return weight > 0; })) {
-        weights_ = wanted;
-        return;
-      }
-      double share = 1;
-      std::size_t first = 0;
-      for (std::size_t i = 0; i < wanted.size(); ++i) {
-        if (wanted[i] > 0) continue;
-        const double until = weights_[i] > 0 ? weights_[i] / (weights_[i] - wanted[i]) : 0;
-        if (until <= share) {
-          share = until;
-          first = i;
-        }
-      }
-      for (std::size_t i = 0; i < wanted.size(); ++i) weights_[i] += share * (wanted[i] - weights_[i]);
-      points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(first));
-      weights_.erase(weights_.begin() + static_cast<std::ptrdiff_t>(first));
-    }
-  }
-
- private:
-  /// The weights, of sum 1, of the point nearest to 0 on the line, plane or space through the points.
-  std::vector<double> nearest_on_plane() const {
-    if (points_.size() == 1) return {1};
-    Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3> ways(3, points_.size() - 1);
-    for (std::size_t i = 1; i < points_.size(); ++i) ways.col(static_cast<int>(i) - 1) = points_[i] - points_[0];
-    const auto shares = ways.completeOrthogonalDecomposition().solve(-points_[0]).eval();
-    std::vector<double> weights{1 - shares.sum()};
-    weights.insert(weights.end(), shares.begin(), shares.end());
-    return weights;
-  }
-
-  std::vector<Direction> points_;
-  std::vector<double> weights_;
-};
-
-/// Nearest to 0 in the hull of unit vectors, up to `good`: Wolfe's algorithm.
-Direction nearest_in_hull(const std::vector<Direction>& points) {
-  Corral corral(points.front());
-  for (Direction x = corral.nearest();;) {
-    const auto product = [&](const Direction& point) { return x.dot(point); };
-    const Direction& worst = *std::ranges::min_element(points, {}, product);
-    if (corral.full() || product(worst) > good * x.squaredNorm()) return x;
-    corral.take_in(worst);
-    const Direction nearer = corral.nearest();
-    if (nearer.squaredNorm() >= x.squaredNorm()) return x;
-    x = nearer;
-  }
-}
 
 /// A product of a coefficient of w and one of a rail, and how often it is taken.
 template <class S>
@@ -168,7 +98,10 @@ Direction common_side(std::span<const RulingTangents<double>> parts) {
     }
   });
   if (normals.empty()) return Direction::Constant(std::numeric_limits<double>::quiet_NaN());
-  return nearest_in_hull(normals).normalized();
+  const auto lowest = [&](const Direction& e) {
+    return *std::ranges::min_element(normals, {}, [&](const Direction& normal) { return e.dot(normal); });
+  };
+  return nearest_in_hull(lowest, good).normalized();
 }
 
 template <Field S>

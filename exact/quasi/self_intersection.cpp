@@ -14,6 +14,7 @@
 
 #include "torse/algebra/bernstein.hpp"
 #include "torse/developable/warp.hpp"
+#include "torse/exact/quasi/nearest_in_hull.hpp"
 #include "torse/exact/quasi/ruling_order.hpp"
 #include "torse/exact/quasi/strip_crossing.hpp"
 #include "torse/exact/warp/quotient.hpp"
@@ -41,6 +42,9 @@ constexpr std::size_t most_together = 16;
 /// of the budget at most.
 constexpr int promising_halvings = 2;
 constexpr long pairs_per_attempt = 16;
+
+/// A direction parts two hulls when it sees all ways between them with this share of the shortest one.
+constexpr double good = 0.25;
 
 double middle(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
 
@@ -135,12 +139,6 @@ std::vector<Homogeneous> bezier_boxes(const KnotList<Q>& u, std::span<const Vec<
   return boxes;
 }
 
-Direction at_middle(const std::vector<Box>& row) {
-  Direction total(0, 0, 0);
-  for (const Box& x : row) total += middle(x);
-  return total / static_cast<double>(row.size());
-}
-
 /// The interval of the hull along a direction.
 Interval extent(const Part& part, const Direction& direction) {
   const Box axis = as_box(direction);
@@ -159,21 +157,14 @@ bool separated_along(const Part& x, const Part& y, const Direction& direction) {
   return first.upper() < second.lower() || second.upper() < first.lower();
 }
 
-Direction normal_of(const Part& part) {
-  const Direction a = at_middle(part.a) + at_middle(part.b);
-  return a.cross(at_middle(part.w)).normalized();
-}
-
+/// Whether a plane parts the hulls. The one to look at is across the way between their nearest points.
 bool separated(const Part& x, const Part& y) {
   if (!x.within_hull || !y.within_hull) return false;
-  for (int k = 0; k < 3; ++k) {
-    if (separated_along(x, y, Direction::Unit(k))) return true;
-  }
-  const Direction normal = normal_of(x);
-  const Direction rulings = at_middle(x.w) + at_middle(y.w);
-  return separated_along(x, y, normal.cross(rulings)) || separated_along(x, y, normal) ||
-         separated_along(x, y, at_middle(x.a)) || separated_along(x, y, normal_of(y)) ||
-         separated_along(x, y, at_middle(y.hull) - at_middle(x.hull));
+  const auto lowest = [](const Part& part, const Direction& e) {
+    return middle(*std::ranges::min_element(part.hull, {}, [&](const Box& point) { return e.dot(middle(point)); }));
+  };
+  const auto lowest_way = [&](const Direction& e) { return Direction(lowest(x, e) - lowest(y, -e)); };
+  return separated_along(x, y, nearest_in_hull(lowest_way, good));
 }
 
 RulingTangents<Interval> rounded_tangents(const Part& part) { return {part.w, part.a, part.b}; }
