@@ -100,32 +100,57 @@ move: e; rewrite natrX -[addn n k]/(n + k)%N -/a -/len; move: (condition _ _ _ _
 by rewrite /len; move: (_ - a) => l; ring.
 Qed.
 
+Lemma triple_left (R : comUnitRingType) (a b w : 'rV[R]_3) (r x : R) : triple a b (r *: w - x *: (a - b)) = r * triple a b w.
+Proof. by coordinates; hide_entries; ring. Qed.
+
+(* The terms of degree n of n f and t f' are the same. *)
+Lemma size_left n (f : {poly F}) : (size f <= n.+1)%N -> (size (n%:R%:P * f - 'X * f^`())%R <= n)%N.
+Proof.
+move=> sf; apply/leq_sizeP=> j; rewrite coefB mul_polyC coefZ coefXM coef_deriv leq_eqVlt => /predU1P[<-|lt_j].
+  by case: n {sf} => [|n] /=; rewrite ?mul0r ?subr0 // mulr_natl subrr.
+by rewrite (leq_sizeP _ _ sf) // mulr0; case: j lt_j => //= j lt_j; rewrite (leq_sizeP _ _ sf) // mul0rn subrr.
+Qed.
+
+(** FJ07.3 degree: the determinant $[d',c',d-c]$ of a piece has degree $3n-3$ at most, so that $3n-2$ of its values decide it.
+    Hypotheses: $n\ne0$ in the field. *)
+Theorem FJ07_3_degree n (v : nat -> F) (p q : nat -> 'rV[F]_3) : n%:R != 0 :> F ->
+  (size (triple (pderiv (pcurve n v q)) (pderiv (pcurve n v p)) (pcurve n v q - pcurve n v p)) <= 3 * n - 2)%N.
+Proof.
+move=> n0; have {}n0' : (0 < n)%N by case: n n0 => //; rewrite eqxx.
+set a := pderiv _; set b := pderiv _; set w := _ - _.
+have sa l : (size (a 0%R l) <= n)%N by rewrite !mxE; apply: size_deriv_le; exact: size_curve.
+have sb l : (size (b 0%R l) <= n)%N by rewrite !mxE; apply: size_deriv_le; exact: size_curve.
+rewrite -(size_scale _ n0) -mul_polyC -(triple_left a b w n%:R%:P 'X).
+have -> : (3 * n - 2 = (n + (n + n).-1).-1)%N by move: n0'; clear; lia.
+apply: size_triple => // l; have -> : (n%:R%:P *: w - 'X *: (a - b)) 0 l = n%:R%:P * w 0 l - 'X * (w 0 l)^`() by rewrite !mxE derivB.
+by apply: size_left; rewrite !mxE (leq_trans (size_add _ _)) // size_opp geq_max !size_curve.
+Qed.
+
 (** FJ07.3 decides: the program that evaluates the determinant of a piece at $3n$ parameters says that it is refuted iff the piece is not developable.
-    Hypotheses: the knots carry the piece; $1,\dots,3n-1$ are not 0 in the field. *)
-Theorem FJ07_3_decides n u c d k : (0 < n)%N -> (forall i, (0 < i < 3 * n)%N -> i%:R != 0 :> F) -> span n (drop_ k (at_list u)) ->
+    Hypotheses: the knots carry the piece; $1,\dots,3n-3$ are not 0 in the field, so that $3n-2$ of the parameters differ. *)
+Theorem FJ07_3_decides n u c d k : (0 < n)%N -> (forall i, (0 < i < 3 * n - 2)%N -> i%:R != 0 :> F) -> span n (drop_ k (at_list u)) ->
   ~~ refuted K V (@x_ F) (@y_ F) (@z_ F) n u c d k.+1 <-> developable (piece_of c n u k) (piece_of d n u k).
 Proof.
 move=> n0 nz sp; rewrite /refuted negbK; set f := det n u c d k.
-have n2 : (n ^ 2)%:R != 0 :> F by rewrite natrX expf_neq0 // nz //; lia.
+have n1 : n%:R != 0 :> F by have [->|n1] := eqVneq n 1%N; [rewrite oner_neq0 | apply: nz; move: n0 n1; clear; lia].
+have n2 : (n ^ 2)%:R != 0 :> F by rewrite natrX expf_neq0.
 have fE j : same K (condition n u c d k.+1 (of_nat K j)) (zero K) = (f.[j%:R] == 0).
   by rewrite /f conditionE // of_natE mulf_eq0 (negPf n2).
 split=> [/iotaP all0|]; last by move=> e; apply/iotaP=> j _; rewrite fE /f e horner0.
-apply: (@roots_geq_poly_eq0 _ f [seq j%:R | j <- iota 0 (3 * n)]).
-- by apply/allP=> _ /mapP[j lt_j ->]; rewrite rootE -fE all0 //; move: lt_j; rewrite mem_iota.
+apply: (@roots_geq_poly_eq0 _ f [seq j%:R | j <- iota 0 (3 * n - 2)]).
+- by apply/allP=> _ /mapP[j lt_j ->]; rewrite rootE -fE all0 //; move: lt_j; rewrite mem_iota; clear; lia.
 - rewrite map_inj_in_uniq ?iota_uniq // => i j; rewrite !mem_iota /= => lt_i lt_j.
   wlog le_ij : i j lt_i lt_j / (i <= j)%N.
     by move=> th e; case: (leqP i j) => [le_ij|/ltnW le_ji]; [apply: th | symmetry; apply: th].
   move/eqP; rewrite -subr_eq0 -opprB oppr_eq0 -natrB // => /eqP e; apply/eqP; rewrite eqn_leq le_ij /= leqNgt; apply/negP=> lt_ij.
-  have le_ji : (0 < j - i < 3 * n)%N by move: lt_ij lt_j; clear; lia.
+  have le_ji : (0 < j - i < 3 * n - 2)%N by move: lt_ij lt_j; clear; lia.
   by have := nz _ le_ji; rewrite e eqxx.
-rewrite size_map size_iota (leq_trans (size_triple (i := n) (j := n) (k := n.+1) _ _ _)) //; last by lia.
-- by move=> l; rewrite !mxE; apply: size_deriv_le; exact: size_curve.
-- by move=> l; rewrite !mxE; apply: size_deriv_le; exact: size_curve.
-by move=> l; rewrite !mxE (leq_trans (size_add _ _)) // size_opp geq_max !size_curve.
+by rewrite size_map size_iota; apply: FJ07_3_degree.
 Qed.
+
 (** FJ07.3 check: the program gives 0 iff every piece of the list that the knots carry is developable, and else one that is not.
-    Hypotheses: the program gives a value; $1,\dots,3n-1$ are not 0 in the field. *)
-Theorem FJ07_3_check n u c d k : (forall i, (0 < i < 3 * n)%N -> i%:R != 0 :> F) ->
+    Hypotheses: the program gives a value; $1,\dots,3n-3$ are not 0 in the field. *)
+Theorem FJ07_3_check n u c d k : (forall i, (0 < i < 3 * n - 2)%N -> i%:R != 0 :> F) ->
   check_program K V (@x_ F) (@y_ F) (@z_ F) n u c d = Value k ->
   (k = 0%N <-> forall j, (j <= size u - n - n)%N -> span n (drop_ j (at_list u)) -> developable (piece_of c n u j) (piece_of d n u j)) /\
   forall j, k = j.+1 -> span n (drop_ j (at_list u)) /\ ~ developable (piece_of c n u j) (piece_of d n u j).

@@ -1,6 +1,6 @@
-(* FJ07, sections 2 and 3, Theorem 1 and the cones: what happens without the hypotheses, one counterexample each, over any field. *)
+(* FJ07, sections 2 and 3, Theorem 1, the cones and the decision by the determinant: what happens without the hypotheses, one counterexample each, over any field. *)
 From Torse Require Import Prelude Blossom Curves Points Bernstein Bezier FJ07_2 FJ07_2_tangent FJ07_3_net FJ07_3_blossoms FJ07_2_cones
-  FJ07_3_vertices Needs_blossoms Needs_FJ07.
+  FJ07_3_vertices FJ21_4 Needs_blossoms Needs_FJ07 Executable Executable_knots Executable_determinant.
 
 Section Needs.
 Variable F : fieldType.
@@ -50,3 +50,61 @@ have [->|_] := eqVneq j i; last by rewrite mulr0n polyC0 mul0r addr0.
 by rewrite /B -(polyC_nat F) e polyC0 mul0r !mulr0 ?addr0.
 Qed.
 End Needs.
+
+Section Values.
+Variable F : fieldType.
+Local Notation K := (of_field (fun _ _ : F => false)).
+Local Notation V := (rows F 3).
+Local Notation u := [:: 0; 0; 1; 1 : F].
+Local Notation c := [:: 0; 0; vec 1 0 0 : 'rV[F]_3].
+Local Notation d := [:: vec 0 0 1; vec 0 (-1) 1; vec 1 1 2%:R : 'rV[F]_3].
+Local Notation curve_of r := (pcurve 2 (drop_ 0 (nth 0 u)) (drop_ 0 (nth 0 r))).
+
+Lemma carried : span 2 (drop_ 0 (nth 0 u)).
+Proof. by move=> [|[|//]] [|[|[|[|//]]]] // _ _; rewrite unitfE /drop_ /= subr0 oner_eq0. Qed.
+
+Lemma parabola (r : seq 'rV[F]_3) k : curve_of r 0 k =
+  (1 - 'X) * (1 - 'X) * (nth 0 r 0 0 k)%:P + 'X * (1 - 'X) * (nth 0 r 1 0 k + nth 0 r 1 0 k)%:P + 'X * 'X * (nth 0 r 2 0 k)%:P.
+Proof.
+rewrite mxE /curve /= /step /shift /polys /drop_ /coord /= !polyC0 !polyC1 !subr0 !divr1 !mul1r polyCD.
+by move: (nth 0 r 0 0 k)%:P (nth 0 r 1 0 k)%:P (nth 0 r 2 0 k)%:P 'X => *; ring.
+Qed.
+
+(** FJ07.3 decides_needs_characteristic: in characteristic 3, $n=2$, the Bezier points $0,0,(1,0,0)$ and $(0,0,1),(0,-1,1),(1,1,2)$ are those of $(t^2,0,0)$ and
+    $(t^2,t,t^2+1)$, with the determinant $2(t^3-t)$, which is 0 at all the parameters $0,\dots,5$: the programs do not refute the surface, and it is not developable.
+    Hypotheses: $3=0$ in the field. *)
+Theorem FJ07_3_decides_needs_characteristic : 3%:R = 0 :> F ->
+  [/\ ~~ refuted K V (@x_ F) (@y_ F) (@z_ F) 2 u c d 1, check_program K V (@x_ F) (@y_ F) (@z_ F) 2 u c d = Value 0%N & ~ developable (curve_of c) (curve_of d)].
+Proof.
+move=> three; have two : 2%:R != 0 :> F.
+  by apply: contra_neq (oner_neq0 F) => two; rewrite -[RHS]three (natrD _ 2 1) two add0r.
+have P3 : 3%:R = 0 :> {poly F} by rewrite -(polyC_nat F) three.
+have det : triple (pderiv (curve_of d)) (pderiv (curve_of c)) (curve_of d - curve_of c) = 2%:R * ('X ^+ 3 - 'X).
+  have [cx cy cz] : [/\ x_ (curve_of c) = 'X * 'X, y_ (curve_of c) = 0 & z_ (curve_of c) = 0].
+    by rewrite /x_ /y_ /z_ !parabola /= /vec !mxE /= !(addr0, polyC0, polyC1, mulr0, mulr1, add0r).
+  have [dx dy dz] : [/\ x_ (curve_of d) = 'X * 'X, y_ (curve_of d) = 'X & z_ (curve_of d) = 'X * 'X + 1].
+    rewrite /x_ /y_ /z_ !parabola /= /vec !mxE /= !(addr0, polyC0, polyC1, mulr0, mulr1, add0r) polyCD polyCN polyCMn polyC1.
+    split=> //; last by move: 'X => X; ring.
+    by apply: (by_multiple (z := 'X * 'X - 'X) P3); move: 'X => X; ring.
+  have dE (r : seq 'rV[F]_3) : [/\ x_ (pderiv (curve_of r)) = (x_ (curve_of r))^`(), y_ (pderiv (curve_of r)) = (y_ (curve_of r))^`() &
+      z_ (pderiv (curve_of r)) = (z_ (curve_of r))^`()] by rewrite /x_ /y_ /z_ !mxE.
+  have [c'x c'y c'z] := dE c; have [d'x d'y d'z] := dE d.
+  have bE (a b : 'rV[{poly F}]_3) : [/\ x_ (a - b) = x_ a - x_ b, y_ (a - b) = y_ a - y_ b & z_ (a - b) = z_ a - z_ b] by rewrite /x_ /y_ /z_ !mxE.
+  have [bx by' bz] := bE (curve_of d) (curve_of c).
+  rewrite tripleE bx by' bz c'x c'y c'z d'x d'y d'z cx cy cz dx dy dz !(derivD, derivM, derivX, derivC, deriv0).
+  by move: 'X => X; ring.
+have ok : ~~ refuted K V (@x_ F) (@y_ F) (@z_ F) 2 u c d 1.
+  rewrite /refuted negbK; apply/allP=> j _; rewrite of_natE; apply/(@eqP F).
+  have := @conditionE F (fun _ _ => false) 2 u c d 0 j%:R isT carried; rewrite det.
+  have cube : 2%:R * (j%:R ^+ 3 - j%:R) = 0 :> F.
+    elim: j => [|j ih]; first by rewrite exprS mul0r subrr mulr0.
+    by rewrite -[j.+1]addn1 natrD -[RHS]ih; move: (j%:R) => x; apply: (by_multiple (z := 2%:R * (x * x + x)) three); ring.
+  by rewrite -(polyC_nat F) !(hornerM, hornerC, hornerD, hornerN, hornerXn, hornerX) cube => /esym/eqP; rewrite mulf_eq0 natrX expf_eq0 (negPf two) => /eqP.
+split=> //.
+  apply/knot_listP; split; last first.
+    by apply/fitsP; split=> //; apply/fitsP; split=> //; rewrite /last_ /= (negPf ok) andbF.
+  by split=> //; [case=> [|[|//]] _ /= | rewrite /=]; rewrite eq_sym oner_eq0.
+rewrite /developable det => /eqP; rewrite mulf_eq0 -(polyC_nat F) polyC_eq0 (negPf two) subr_eq0 /= => /eqP e.
+by have := congr1 (fun f : {poly F} => f`_1) e; rewrite coefXn coefX /= => /esym/eqP; rewrite oner_eq0.
+Qed.
+End Values.
