@@ -1,5 +1,5 @@
 (* FJ07, sections 3 and 4, inner knots: which curves have nets of (13) with M* at an inner knot of any multiplicity, and what that says of the roots of (20). *)
-From Torse Require Import Prelude Blossom Curves Points FJ07_3_net FJ07_2_cones FJ21_4 FJ07_3_knots FJ07_3_vertices FJ07_4.
+From Torse Require Import Prelude Blossom Curves Points Insertion Joints FJ07_3_net FJ07_2_cones FJ21_4 FJ07_3_knots FJ07_3_vertices FJ07_4.
 
 Section Inner.
 Variables (F : fieldType) (m : nat).
@@ -73,13 +73,73 @@ rewrite sum0 => /esym/eqP; rewrite scaler_eq0 (negPf nz') => /eqP ->.
 by rewrite scaler0.
 Qed.
 
+(** FJ07.13 inner_smooth: for an inner knot $M^{*}=u_{k+n}=\dots=u_{k+n+r}$ of any multiplicity $r+1$ the sum of FJ07.13 inner is 0 iff the pieces before and after the
+    knot join with one derivative more than such a knot allows,
+    $c_k[M^{*\langle r\rangle},v_1,\dots,v_{n-r}]=c_{k+r+1}[M^{*\langle r\rangle},v_1,\dots,v_{n-r}]$, class $C^{n-r}$; for $r=0$, iff they are one polynomial. So
+    there is a net of (13) with this $M^{*}\ne\Lambda^{*}$ iff the curve does not need the knot that often.
+    Hypotheses: $n\ge1$; the knots carry both pieces, so that their points have a meaning; $M^{*}$ is none of $u_0,\dots,u_{k+n-1}$, nor of the ends $u_{i+n}$ of the
+    cells $i>k+n$, as for a knot that is at most $n$-fold.
+    Paper: passes over it. *)
+Theorem FJ07_13_inner_smooth u n M c K r k : (0 < n)%N -> (k + n + r <= K)%N -> (forall i, (n <= i <= n + r)%N -> u (k + i)%N = M) ->
+  span n (drop_ k u) -> span n (drop_ (k + r.+1) u) -> (forall i, (i < k + n)%N -> M - u i != 0) -> (forall i, (k + n < i <= K)%N -> M - u (i + n)%N != 0) ->
+  ev (chord u n c K) M = 0 <-> forall v, (r + size v)%N = n -> pblossom (drop_ k u) (drop_ k c) (nseq r (at_ M) ++ v)
+    = pblossom (drop_ (k + r.+1) u) (drop_ (k + r.+1) c) (nseq r (at_ M) ++ v).
+Proof.
+move=> n0 le_K eM sp sp' off off'; have eM' i : (k + n <= i <= k + n + r)%N -> M = u i.
+  by move=> h; rewrite -(eM (i - k)%N); [congr u; clear -h; lia | clear -h; lia].
+have join (b : nat -> 'rV[F]_m) : ev (chord u n b K) M = 0 -> forall v, (r + size v)%N = n -> pblossom (drop_ k u) (drop_ k b) (nseq r (at_ M) ++ v)
+    = pblossom (drop_ (k + r.+1) u) (drop_ (k + r.+1) b) (nseq r (at_ M) ++ v).
+  move=> b0 v sz; have ne : M + 1 != M by rewrite -subr_eq0 addrC addKr oner_neq0.
+  have [] := @FJ07_13_inner u n (M + 1) M b K (k + n) k 0 0 _ (eM' _ _) (eM' _ _) ne off off'; [by clear -n0 le_K; lia | by clear; lia | by clear; lia |].
+  move=> _ /(_ b0)[d [cells _ _]]; apply: (FJ07_13_smooth eM ne sp sp' _ sz) => i h; apply: cells; clear -h le_K; lia.
+split=> [|smooth]; first exact: join.
+have le_r : (r <= n)%N.
+  rewrite leqNgt; apply/negP=> lt_r; have := off' (k + n).+1; rewrite -(eM' ((k + n).+1 + n)%N) ?subrr ?eqxx; last by clear -lt_r; lia.
+  by move=> /(_ _)/negP; apply; clear -lt_r le_K; lia.
+pose f := starts u M 0 (k + n) * finishes u n M (k + n).+1 K.+1; have f0 : f != 0.
+  rewrite mulf_neq0 // prodf_seq_neq0; apply/allP=> j; rewrite mem_index_iota; [exact: off | exact: off'].
+pose z := f^-1 *: ev (chord u n c K) M; pose e i := (k + n < i)%N%:R : F; pose b i := c i - e i *: z.
+have b0 : ev (chord u n b K) M = 0.
+  apply/eqP; rewrite ev_chord (eq_bigr (fun i => (starts u M 0 i * finishes u n M i.+1 K.+1) *: (c i.+1 - c i)
+      - (starts u M 0 i * finishes u n M i.+1 K.+1) *: ((e i.+1 - e i) *: z))) => [|i _]; last first.
+    by rewrite /b; move: (c i) (c i.+1) (starts _ _ _ _ * _) => x y g; by_entries j; ring.
+  rewrite sumrB -ev_chord subr_eq0 (bigD1_seq (k + n)%N) ?mem_index_iota ?iota_uniq //=; last by clear -le_K; lia.
+  rewrite big1 => [|i ne]; last by rewrite /e ltnS leq_eqVlt eq_sym (negPf ne) subrr scale0r scaler0.
+  by rewrite addr0 /e ltnSn ltnn subr0 scale1r scalerA mulfV // scale1r.
+pose v := knots (drop_ (k + r.+1) u) n (n - r).
+have sz : (r + size v)%N = n by rewrite size_knots subnKC.
+have win : nseq r (at_ M) ++ v = knots (drop_ (k + r.+1) u) (n - r) n.
+  transitivity (knots (drop_ (k + r.+1) u) (n - r) (r + (n - r))); last by rewrite subnKC.
+  rewrite knots_cat subnK // (@knots_same _ (drop_ (k + r.+1) u) (n - r) r M) // => l h; apply/esym/eM'; clear -h le_r; lia.
+have at_end (g : nat -> 'rV[F]_m) : pblossom (drop_ (k + r.+1) u) (drop_ (k + r.+1) g) (nseq r (at_ M) ++ v) = g (k + n).+1.
+  apply/rowP=> j; rewrite mxE win blossoms_knots ?leq_subr // /coord /drop_; congr (g _ 0 j); clear -le_r; lia.
+have left : pblossom (drop_ k u) (drop_ k b) (nseq r (at_ M) ++ v) = pblossom (drop_ k u) (drop_ k c) (nseq r (at_ M) ++ v).
+  apply/rowP=> j; rewrite !mxE; apply: blossom_ext => i; rewrite size_cat size_nseq sz => le_i.
+  by rewrite /coord /drop_ /b /e ltnNge leq_add2l le_i scale0r subr0.
+have := join b b0 v sz; rewrite left smooth // !at_end /b /e ltnSn scale1r => /esym/eqP.
+by rewrite -subr_eq0 addrAC subrr add0r oppr_eq0 /z scaler_eq0 invr_eq0 (negPf f0) => /eqP.
+Qed.
+
+(** FJ07.13 inner_needs_fold: for an $(n+2)$-fold knot $M^{*}=u_r=u_{r+n}=u_{r+n+1}$ the sum is 0 for every curve, and there is no net unless $c_{r+1}=c_r$. *)
+Theorem FJ07_13_inner_needs_fold u n L M c d K r : (r < K)%N -> M = u r -> M = u (r + n)%N -> M = u (r.+1 + n)%N -> L != M ->
+  ev (chord u n c K) M = 0 /\ (c r.+1 != c r -> ~ cell u n L M c d r).
+Proof.
+move=> lt_r er er_n er1 LM; split.
+  rewrite ev_chord big1_seq // => i /andP[_]; rewrite mem_index_iota => /andP[_ lt_i]; have [le_i|lt_ri] := leqP i r.
+    by rewrite (finishes_at (s := r.+1)) ?mulr0 ?scale0r // !ltnS le_i.
+  by rewrite er starts_at // mul0r scale0r.
+move=> ne /FJ07_13_rulings; rewrite -er -er_n subrr !scale0r add0r => /esym/eqP.
+by rewrite scaler_eq0 !subr_eq0 (negPf LM) (negPf ne).
+Qed.
+
 (** FJ07.13 inner_needs_distinct: for $\Lambda^{*}=M^{*}$ the row $d=c$ is a net for every curve and every knot. *)
 Theorem FJ07_13_inner_needs_distinct u n M c i : cell u n M M c c i.
 Proof. by []. Qed.
 End Inner.
 
 (** FJ07.21 inner_knot: an inner knot $M_0$ is a root of the polynomial of (20) iff $[S,v,w]=0$ for the sum $S$ of FJ07.13; but there is a net of (13) with
-    $\Lambda^{*}\ne M_0$ and end rulings along $v$ and $w$ iff $S=0$, whatever $v$ and $w$ are.
+    $\Lambda^{*}\ne M_0$ and end rulings along $v$ and $w$ iff $S=0$, whatever $v$ and $w$ are, so iff the curve does not need the knot that often (FJ07.13
+    inner_smooth).
     Hypotheses: $\Lambda^{*}\ne M_0$; $M_0=u_r$ starts a cell and is none of $u_0,\dots,u_{r-1}$, nor of the ends $u_{i+n}$ of the cells $i>r$, as for a knot that is
     at most $n$-fold.
     Paper: excludes no root. *)
