@@ -164,14 +164,14 @@ Lemma raised_form n u c v r (l : 'I_m) (b := fun k => blossom (drop_ k (at_list 
     (G := fun k a => if size a == n.+1 then mean_form n (b k) a else 0) : raised_program K V n u c = Value (v, r) ->
   [/\ valid n u, valid n.+1 v, holds_knots 1 n u n.+1 v & [/\ forall k, span n (drop_ k (at_list u)) -> polar n.+1 (G k),
     forall i, (i <= size v - n.+1)%N -> coord (at_list r) l i = G (piece_of K n u v n.+1 i).-1 (knots (at_list v) i n.+1) &
-    forall i j J, (n <= J < size v - n.+1)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + n.+1)%N ->
+    forall i j J, holds_at 1 n u n.+1 v J -> (n <= J < size v - n.+1)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + n.+1)%N ->
       G (piece_of K n u v n.+1 i).-1 (knots (at_list v) i n.+1) = G (j.+1 - n)%N (knots (at_list v) i n.+1)]].
 Proof.
 move=> e; have [hv sr rE] := blossoms_raised e; have hu : valid n u by case/knot_listP: e.
 have ev : v = elevated_knots K n u by case/knot_listP: e => _ /fitsP[_] /knot_listP[_ e]; have [<- _] := Value_inj e.
 have [_ _ _ H] := elevated_knotsE hu; rewrite -ev in H.
 have G_n k a : size a = n.+1 -> G k a = mean_form n (b k) a by rewrite /G => ->; rewrite eqxx.
-split=> //; split=> [k sp|i le_i|i j J bJ up_J h_j in_i]; first exact: mean_polar.
+split=> //; split=> [k sp|i le_i|i j J HJ bJ up_J h_j in_i]; first exact: mean_polar.
   rewrite G_n ?size_knots // /coord rE // mxE summxE; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h].
   rewrite mxE /b /omit (_ : (nth _ _ h).2 = 1) ?mul1r //.
   by rewrite /knots (nth_map 0%N) // size_iota.
@@ -194,7 +194,7 @@ apply/rowP=> l; have [hu hv H [pol rE same]] := raised_form l e; rewrite !mxE su
 have [_ stay] := blossoms_raised_value n u c; have [v_a _] := stay _ _ e.
 have u_J : at_list u n.-1 <= at_list v J.
   by rewrite -v_a (knots_up hv) //; have [_ le_p _] := bounds_of hv; move: bJ le_p; clear; lia.
-rewrite (piece_stays hu hv pol rE same bJ up_J (lies_under hu u_J) szw) szw eqxx; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h].
+rewrite (piece_stays hu hv pol rE same (holds_pieces hv H bJ) bJ up_J (lies_under hu u_J) szw) szw eqxx; congr (_ * _); apply: eq_big_nat => h /andP[_ lt_h].
 by rewrite mxE (nth_map 0) ?sz // mul1r.
 Qed.
 
@@ -208,7 +208,9 @@ have [_ stay] := blossoms_raised_value n u c; have [v_a v_b] := stay _ _ e.
 have in_v : at_list v n <= t <= at_list v (size v - n.+1) by rewrite v_a v_b.
 apply/BZZ19_3_value; split=> //; apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..].
 have [_ _ H [pol rE same]] := raised_form l e; apply/esym.
-apply: (spline_stays (c := coord (at_list c) l) hu hv H pol rE same _ in_v in_u) => [|k]; first by left; rewrite v_a.
+have [bJ _ _ _] := lies_in hv in_v.
+apply: (spline_stays (c := coord (at_list c) l) hu hv pol rE same (holds_pieces hv H bJ) _ in_v in_u) => [|k].
+  by rewrite negb_and -leNgt -v_a (knots_up hv) //; have [_ le_p _] := bounds_of hv; move: bJ le_p; clear; lia.
 by rewrite size_nseq eqxx mean_nseq // unitfE pnatr_eq0.
 Qed.
 End Curves.

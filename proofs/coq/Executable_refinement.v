@@ -1,4 +1,7 @@
-(* The programs for a knot and for more knots give the same curve, on all pieces. *)
+(* The programs for a knot and for more knots give the same curve, on all pieces.
+   Definitions:
+     enough n u v J    each knot inside the domain of u that is not behind v_{J+1} and follows one of v_{J+1-n}, ..., v_J in that domain is a knot of v, at least
+                       as often *)
 From Torse Require Import Prelude Blossom Curves Points Insertion FJ21_4 Executable Executable_knots Executable_splines Executable_mappings Executable_joints
   Executable_surface Executable_windows.
 From mathcomp Require Import order ssrnum.
@@ -19,54 +22,53 @@ Proof. by move=> hu in_u; have [_ sp] := piece_atE hu in_u. Qed.
 Section Refined.
 Variables (n : nat) (u v : seq F) (l : 'I_m).
 Hypotheses (hu : valid n u) (hv : valid n v).
-Hypothesis often : forall x y, x \in v -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) -> y <= at_list v (size v - n) -> (count_mem y u <= count_mem y v)%N.
 Let G c k a := if size a == n then blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a else 0.
 
 Lemma vertex_form c k a : size a = n -> G c k a = blossom (drop_ k (at_list u)) (drop_ k (coord (at_list c) l)) a.
 Proof. by rewrite /G => ->; rewrite eqxx. Qed.
 
-Lemma often_holds : holds_knots 0 n u n v.
-Proof. by move=> x y xv _ x_y y_L y_M; rewrite addn0; apply: often x_y y_L y_M. Qed.
-
 Lemma refined_form c r : refined_program K V n u c v = Value r -> [/\ forall k, span n (drop_ k (at_list u)) -> polar n (G c k),
   forall i, (i <= size v - n)%N -> coord (at_list r) l i = G c (piece_of K n u v n i).-1 (knots (at_list v) i n) &
-  forall i j J, (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + n)%N ->
+  forall i j J, holds_at 0 n u n v J -> (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + n)%N ->
     G c (piece_of K n u v n i).-1 (knots (at_list v) i n) = G c (j.+1 - n)%N (knots (at_list v) i n)].
 Proof.
-move=> e; have [_ _ rE _] := blossoms_refined e; split=> [k sp|i le_i|i j J bJ up_J h_j in_i]; first exact: blossom_polar.
+move=> e; have [_ _ rE _] := blossoms_refined e; split=> [k sp|i le_i|i j J H bJ up_J h_j in_i]; first exact: blossom_polar.
   by rewrite vertex_form ?size_knots // /coord rE // mxE.
-rewrite !vertex_form ?size_knots //; apply: (window_blossom (e := 0) hu hv often_holds bJ up_J h_j) => // [|y]; first exact: size_knots.
+rewrite !vertex_form ?size_knots //; apply: (window_blossom (e := 0) hu hv H bJ up_J h_j) => // [|y]; first exact: size_knots.
 by rewrite addn0.
 Qed.
 End Refined.
 
+Definition enough n u v J := forall l y, (J.+1 - n <= l <= J)%N -> at_list u n.-1 <= at_list v l < y -> y < at_list u (size u - n) ->
+  y <= at_list v J.+1 -> (count_mem y u <= count_mem y v)%N.
+
+Lemma enough_holds n u v J : enough n u v J -> holds_at 0 n u n v J.
+Proof. by move=> often l y in_l _ l_y y_L y_J; rewrite addn0; apply: often in_l l_y y_L y_J. Qed.
+
 (** blossoms refined_blossom: on every piece of the new knots from the start of the old domain on, $v_J\le t\le v_{J+1}$, the blossom of the new vertices is that of
     the piece of the curve that holds $v_J$, the last one behind the domain.
-    Hypotheses: an ordered field; $u_{n-1}\le v_J$; the piece is not empty; each knot inside the old domain that is not behind the new domain and follows a new
-    knot of the old domain is a new knot, at least as often. *)
-Theorem blossoms_refined_blossom n u c v r J w (j := interval K n u (at_list v J)) : refined_program K V n u c v = Value r ->
-  (forall x y, x \in v -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) -> y <= at_list v (size v - n) -> (count_mem y u <= count_mem y v)%N) ->
+    Hypotheses: an ordered field; $u_{n-1}\le v_J$; the piece is not empty; each knot inside the old domain that is not behind $v_{J+1}$ and follows one of
+    $v_{J+1-n},\dots,v_J$ in the old domain is a new knot, at least as often. *)
+Theorem blossoms_refined_blossom n u c v r J w (j := interval K n u (at_list v J)) : refined_program K V n u c v = Value r -> enough n u v J ->
   (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> at_list u n.-1 <= at_list v J -> size w = n ->
   pblossom (piece n J (at_list v)) (piece n J (at_list r)) w = pblossom (piece n j (at_list u)) (piece n j (at_list c)) w.
 Proof.
 move=> e often bJ up_J u_J sz; have [hv _ _ _] := blossoms_refined e; have hu : valid n u by case/knot_listP: e.
-apply/rowP=> l; rewrite !mxE; have [pol rE same] := refined_form l hu hv often e.
-by rewrite (piece_stays hu hv pol rE same bJ up_J (lies_under hu u_J) sz) sz eqxx.
+apply/rowP=> l; rewrite !mxE; have [pol rE same] := refined_form l hu hv e.
+by rewrite (piece_stays hu hv pol rE same (enough_holds often) bJ up_J (lies_under hu u_J) sz) sz eqxx.
 Qed.
 
 (** blossoms refined_curve: the point at $t$ of the curve over the new knots is that of the curve, for every $t$ that both domains hold.
-    Hypotheses: an ordered field; the new domain does not begin before the old one, or the start of the old one is a new knot; each knot inside the old domain that
-    is not behind the new domain and follows a new knot of the old domain is a new knot, at least as often. *)
-Theorem blossoms_refined_curve n u c v r t q : refined_program K V n u c v = Value r ->
-  at_list u n.-1 <= at_list v n.-1 \/ at_list u n.-1 \in v ->
-  (forall x y, x \in v -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) -> y <= at_list v (size v - n) -> (count_mem y u <= count_mem y v)%N) ->
-  at_list v n.-1 <= t <= at_list v (size v - n) ->
+    Hypotheses: an ordered field; the start of the old domain is not inside the piece $[v_J,v_{J+1}]$ of the new knots that holds $t$; each knot inside the old domain
+    that is not behind $v_{J+1}$ and follows one of $v_{J+1-n},\dots,v_J$ in the old domain is a new knot, at least as often. *)
+Theorem blossoms_refined_curve n u c v r t q (J := interval K n v t) : refined_program K V n u c v = Value r ->
+  ~~ (at_list v J < at_list u n.-1 < at_list v J.+1) -> enough n u v J -> at_list v n.-1 <= t <= at_list v (size v - n) ->
   mapping_value_program K V n u c t = Value q -> mapping_value_program K V n v r t = Value q.
 Proof.
 move=> e begin_ often in_v /BZZ19_3_value[hu sc in_u ->].
 have [hv sr _ _] := blossoms_refined e; apply/BZZ19_3_value; split=> //.
-apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..]; have [pol rE same] := refined_form l hu hv often e.
-apply/esym; apply: (spline_stays (c := coord (at_list c) l) hu hv (often_holds often) pol rE same begin_ in_v in_u) => k; rewrite size_nseq eqxx //.
+apply/rowP=> l; rewrite !mxE !horner_curve; [|exact: span_at..]; have [pol rE same] := refined_form l hu hv e.
+by apply/esym; apply: (spline_stays (c := coord (at_list c) l) hu hv pol rE same (enough_holds often) begin_ in_v in_u) => k; rewrite size_nseq eqxx.
 Qed.
 
 (* What the program of knot insertion gives, and the piece k of the curve under the piece J of the new list. *)
@@ -161,11 +163,10 @@ Theorem FJ21_K_inserted n u p q x v r s J w L M g (j := interval K n u x) (k := 
 Proof. by move=> e1 e2 bJ up_J sz; rewrite (blossoms_inserted_blossom e1) // (blossoms_inserted_blossom e2). Qed.
 
 (** FJ21.K refined: so have the curves over any finer knots.
-    Hypotheses: an ordered field; $u_{n-1}\le v_J$; the piece is not empty; each knot inside the old domain that is not behind the new domain and follows a new
-    knot of the old domain is a new knot, at least as often. *)
+    Hypotheses: an ordered field; $u_{n-1}\le v_J$; the piece is not empty; each knot inside the old domain that is not behind $v_{J+1}$ and follows one of
+    $v_{J+1-n},\dots,v_J$ in the old domain is a new knot, at least as often. *)
 Theorem FJ21_K_refined n u p q v r s J w L M g (j := interval K n u (at_list v J)) :
-  refined_program K V n u p v = Value r -> refined_program K V n u q v = Value s ->
-  (forall x y, x \in v -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) -> y <= at_list v (size v - n) -> (count_mem y u <= count_mem y v)%N) ->
+  refined_program K V n u p v = Value r -> refined_program K V n u q v = Value s -> enough n u v J ->
   (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> at_list u n.-1 <= at_list v J -> (size w).+1 = n ->
   pblossom (piece n J (at_list v)) (piece n J (at_list r)) (at_ L :: w) = g *: pblossom (piece n J (at_list v)) (piece n J (at_list s)) (at_ M :: w) <->
   pblossom (piece n j (at_list u)) (piece n j (at_list p)) (at_ L :: w) = g *: pblossom (piece n j (at_list u)) (piece n j (at_list q)) (at_ M :: w).

@@ -1,7 +1,8 @@
 (* The vertices of a finer list of knots, each from the piece of the curve that the first of its knots in the domain belongs to, are those of one piece.
    Definitions:
-     holds_knots e n u p v    each knot y inside the domain of u, degree n, that is not behind the domain of v, degree p, and follows a knot x of v in that of u,
-                              is among the knots of v, e times more often *)
+     holds_at e n u p v J     each knot y inside the domain of u, degree n, that is not behind v_{J+1} and follows one of v_{J+1-p}, ..., v_J in that domain, is among
+                              the knots of v, e times more often
+     holds_knots e n u p v    the same for the knots that are not behind the domain of v, degree p, and follow any knot of v in that of u *)
 From Torse Require Import Prelude Blossom Curves Points Insertion Executable Executable_knots Executable_splines Executable_mappings Executable_joints
   Executable_surface.
 From mathcomp Require Import order ssrnum.
@@ -15,8 +16,18 @@ Local Notation at_list := (nth 0).
 Local Notation valid := (valid (fun x y : F => x < y)).
 Local Notation piece n i u := (drop_ (i.+1 - n) u).
 
+Definition holds_at e n u p v J := forall l y, (J.+1 - p <= l <= J)%N -> y \in u -> at_list u n.-1 <= at_list v l < y -> y < at_list u (size u - n) ->
+  y <= at_list v J.+1 -> (count_mem y u + e <= count_mem y v)%N.
 Definition holds_knots e n u p v := forall x y, x \in v -> y \in u -> at_list u n.-1 <= x < y -> y < at_list u (size u - n) ->
   y <= at_list v (size v - p) -> (count_mem y u + e <= count_mem y v)%N.
+
+Lemma holds_pieces e n u p v J : valid p v -> holds_knots e n u p v -> (p.-1 <= J < size v - p)%N -> holds_at e n u p v J.
+Proof.
+move=> hv H bJ l y /andP[_ le_l] yu l_y y_L y_J; have [p0 le_p _] := bounds_of hv.
+have lt_l : (l < size v)%N by move: le_l bJ p0 le_p; clear; lia.
+apply: (H _ _ (mem_nth 0 lt_l) yu l_y y_L).
+by apply: le_trans y_J _; apply: (knots_up hv); move: bJ p0 le_p; clear; lia.
+Qed.
 
 Lemma lies_under n u t : valid n u -> at_list u n.-1 <= t -> lies n u t (interval K n u t).
 Proof.
@@ -48,27 +59,27 @@ Qed.
 
 Section Piece.
 Variables (n p e : nat) (u v : seq F) (J j : nat).
-Hypotheses (hu : valid n u) (hv : valid p v) (H : holds_knots e n u p v).
+Hypotheses (hu : valid n u) (hv : valid p v) (H : holds_at e n u p v J).
 Hypotheses (in_J : (p.-1 <= J < size v - p)%N) (up_J : at_list v J < at_list v J.+1) (h_j : lies n u (at_list v J) j).
 
 Lemma bounds_ : [/\ (0 < n)%N, (n + n <= size u)%N, (0 < p)%N & (p + p <= size v)%N].
 Proof. by have [? ? _] := bounds_of hu; have [? ? _] := bounds_of hv. Qed.
 
-(* A knot of u after its piece that holds v_J: it is one of v after v_J. *)
-Lemma later y : y \in u -> at_list u j < y -> y < at_list u (size u - n) -> y <= at_list v (size v - p) ->
-  at_list v J.+1 <= y /\ (count_mem y u + e <= count_mem y v)%N.
+(* A knot of u after its piece that holds v_J: it is not before v_{J+1}, and one of v if it is that. *)
+Lemma later y : y \in u -> at_list u j < y -> y < at_list u (size u - n) ->
+  at_list v J.+1 <= y /\ (y <= at_list v J.+1 -> (count_mem y u + e <= count_mem y v)%N).
 Proof.
-have [n0 le_n p0 le_p] := bounds_; have [b le_j up_j in_j] := h_j => yu lt_y y_L y_M.
+have [n0 le_n p0 le_p] := bounds_; have [b le_j up_j in_j] := h_j => yu lt_y y_L.
 have lt_j : (j.+1 < size u)%N by move: b n0 le_n; clear; lia.
-have J_v : (J < size v)%N by move: in_J p0 le_p; clear; lia.
 have ge_y := next_knot hu lt_j yu lt_y.
 have J_y : at_list v J < y.
   by case: in_j => [lt_J|[e_L _]]; [exact: lt_le_trans lt_J ge_y | move: y_L; rewrite -e_L ltNge ge_y].
-have often : (count_mem y u + e <= count_mem y v)%N.
-  apply: (H (x := at_list v J)) => //; first exact: mem_nth J_v.
+have often : y <= at_list v J.+1 -> (count_mem y u + e <= count_mem y v)%N.
+  apply: (H (l := J)) => //; first by move: in_J p0; clear; lia.
   by rewrite J_y andbT; apply: le_trans le_j; apply: (knots_up hu); move: b n0 le_n; clear; lia.
-split=> //; apply: (next_knot hv) => //; first by move: in_J p0 le_p; clear; lia.
-by rewrite -has_pred1 has_count; apply: leq_trans often; rewrite addn_gt0 -has_count has_pred1 yu.
+split=> //; rewrite leNgt; apply/negP=> lt_J; suff : at_list v J.+1 <= y by rewrite leNgt lt_J.
+apply: (next_knot hv) => //; first by move: in_J p0 le_p; clear; lia.
+by rewrite -has_pred1 has_count; apply: leq_trans (often (ltW lt_J)); rewrite addn_gt0 -has_count has_pred1 yu.
 Qed.
 
 Lemma window_piece i : (i <= J.+1 <= i + p)%N -> exists h, [/\ (n.-1 <= h < size u - n)%N, at_list u h < at_list u h.+1,
@@ -103,10 +114,10 @@ have [iJ|Ji] := leqP i J.
   have yJ : y <= at_list v J := le_trans le_y le_j.
   have l_v : (l < size v)%N by move: in_l win; clear; lia.
   rewrite count_knots //.
-    apply: (H (x := at_list v l)) => //; first exact: mem_nth l_v.
+    apply: (H (l := l)) => //; first by move: in_l ge_i lJ; clear; lia.
     - by rewrite ly (le_trans uh).
     - by rewrite (le_lt_trans le_y) // (lt_le_trans up_j).
-    by rewrite (le_trans yJ) // (knots_up hv) //; move: in_J p0 le_p; clear; lia.
+    by rewrite (le_trans yJ) // ltW.
   move=> q lt_q e_q; apply/andP; split; rewrite leqNgt; apply/negP=> h_q.
     have : at_list v q <= at_list v l by apply: (knots_up hv); move: h_q in_l win; clear; lia.
     by rewrite e_q leNgt ly.
@@ -122,8 +133,7 @@ have ujh : at_list u j <= at_list u h by apply: (knots_up hu); rewrite jh; move:
 have {in_y}/andP[lt_y le_y] : at_list u j < y <= at_list u h.
   by case/orP: in_y => // /andP[lt_y le_y]; move: (lt_le_trans lt_y le_y); rewrite ltNge ujh.
 have y_J : y <= at_list v J.+1 := le_trans le_y le_h.
-have [||J_y often] := later yu lt_y; first by rewrite (le_lt_trans le_y) // (lt_le_trans up_h).
-  by rewrite (le_trans y_J) // (knots_up hv) //; move: in_J p0 le_p; clear; lia.
+have [|J_y /(_ y_J) often] := later yu lt_y; first by rewrite (le_lt_trans le_y) // (lt_le_trans up_h).
 have e_y : y = at_list v J.+1 by apply/eqP; rewrite eq_le y_J.
 rewrite count_knots // => q lt_q e_q; apply/andP; split; rewrite leqNgt; apply/negP=> h_q.
   have : at_list v q <= at_list v J by apply: (knots_up hv); move: h_q e_i JJ; clear; lia.
@@ -153,8 +163,7 @@ have {in_y}/andP[lt_y le_y] : at_list u j < y <= at_list u jt.
   by case/orP: in_y => // /andP[lt_y le_y]; move: (lt_le_trans lt_y le_y); rewrite ltNge ujt.
 have y_t : y <= t := le_trans le_y le_jt.
 have Lt : at_list u jt.+1 <= at_list u (size u - n) by apply: (knots_up hu); move: bt n0 le_n; clear; lia.
-have [||J_y _] := later yu lt_y; first by rewrite (le_lt_trans le_y) // (lt_le_trans up_t).
-  by rewrite (le_trans y_t) // (le_trans ge_t) // (knots_up hv) //; move: in_J p0 le_p; clear; lia.
+have [|J_y _] := later yu lt_y; first by rewrite (le_lt_trans le_y) // (lt_le_trans up_t).
 have -> : y = t by apply/eqP; rewrite eq_le y_t (le_trans ge_t).
 by rewrite count_nseq /= eqxx mul1n times_of.
 Qed.
@@ -171,30 +180,30 @@ Qed.
 (* G k is the polar form of degree p of the curve on the piece from k on. *)
 Section Form.
 Variables (n p e : nat) (u v : seq F) (c r : nat -> F) (G : nat -> seq (F * F) -> F).
-Hypotheses (hu : valid n u) (hv : valid p v) (H : holds_knots e n u p v).
+Hypotheses (hu : valid n u) (hv : valid p v).
 Hypothesis pol : forall k, span n (drop_ k (at_list u)) -> polar p (G k).
 Hypothesis rE : forall i, (i <= size v - p)%N -> r i = G (piece_of K n u v p i).-1 (knots (at_list v) i p).
-Hypothesis same : forall i j J, (p.-1 <= J < size v - p)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + p)%N ->
+Hypothesis same : forall i j J, holds_at e n u p v J -> (p.-1 <= J < size v - p)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> (i <= J.+1 <= i + p)%N ->
   G (piece_of K n u v p i).-1 (knots (at_list v) i p) = G (j.+1 - n)%N (knots (at_list v) i p).
 
-Lemma piece_stays J j w : (p.-1 <= J < size v - p)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> size w = p ->
+Lemma piece_stays J j w : holds_at e n u p v J -> (p.-1 <= J < size v - p)%N -> at_list v J < at_list v J.+1 -> lies n u (at_list v J) j -> size w = p ->
   blossom (piece p J (at_list v)) (piece p J r) w = G (j.+1 - n)%N w.
 Proof.
-move=> bJ up_J h_j sz; have [p0 _ _] := bounds_of hv; have [bj _ up_j _] := h_j.
+move=> H bJ up_J h_j sz; have [p0 _ _] := bounds_of hv; have [bj _ up_j _] := h_j.
 have sp_j : span n (piece n j (at_list u)) by apply: blossoms_carried; rewrite ?lt_eqF.
 have sp_J : span p (piece p J (at_list v)) by apply: blossoms_carried; rewrite ?lt_eqF.
 rewrite (blossoms_unique (pol sp_j) sp_J sz); apply: blossom_ext => i; rewrite sz => le_i.
 rewrite /drop_ rE; last by move: le_i bJ p0; clear; lia.
-rewrite (same bJ up_J h_j); last by move: le_i bJ p0; clear; lia.
+rewrite (same H bJ up_J h_j); last by move: le_i bJ p0; clear; lia.
 by congr (G _ _); apply: knots_ext => q _; rewrite /drop_ addnA.
 Qed.
 
-Lemma spline_stays t (J := interval K p v t) (jt := interval K n u t) : at_list u n.-1 <= at_list v p.-1 \/ at_list u n.-1 \in v ->
+Lemma spline_stays t (J := interval K p v t) (jt := interval K n u t) : holds_at e n u p v J -> ~~ (at_list v J < at_list u n.-1 < at_list v J.+1) ->
   at_list v p.-1 <= t <= at_list v (size v - p) -> at_list u n.-1 <= t <= at_list u (size u - n) ->
   (forall k, G k (nseq p (at_ t)) = blossom (drop_ k (at_list u)) (drop_ k c) (nseq n (at_ t))) ->
   blossom (piece p J (at_list v)) (piece p J r) (nseq p (at_ t)) = blossom (piece n jt (at_list u)) (piece n jt c) (nseq n (at_ t)).
 Proof.
-move=> begin_ in_v in_u val.
+move=> H begin_ in_v in_u val.
 have [n0 le_n _] := bounds_of hu; have [p0 le_p _] := bounds_of hv.
 have [bJ J_t up_J t_J] := lies_in hv in_v; rewrite -/J in bJ J_t up_J t_J.
 have t_J1 : t <= at_list v J.+1 by case: t_J => [/ltW //|[-> _]]; have/andP[] := in_v.
@@ -203,8 +212,7 @@ have h_t : lies n u t jt by apply: lies_in.
 have [u_J|J_u] := leP (at_list u n.-1) (at_list v J); last first.
   have e_t : at_list v J.+1 = t.
     apply/eqP; rewrite eq_le t_J1 andbT; apply: (@le_trans _ _ (at_list u n.-1)); last by have/andP[] := in_u.
-    case: begin_ => [le_v|a_v]; last by apply: (next_knot hv) => //; move: bJ p0 le_p; clear; lia.
-    by move: J_u; rewrite ltNge (le_trans le_v) // (knots_up hv) //; move: bJ p0 le_p; clear; lia.
+    by move: begin_; rewrite J_u -leNgt.
   have [_ _ up_t _] := h_t; have sp_t : span n (piece n jt (at_list u)) by have [b _ _ _] := h_t; apply: blossoms_carried; rewrite ?lt_eqF.
   rewrite -val (blossoms_unique (pol sp_t) sp_J) ?size_nseq //; apply: first_vertex => // [|i /andP[i0 le_i]].
     by rewrite /drop_ -e_t; congr at_list; move: bJ p0; clear; lia.
@@ -223,7 +231,7 @@ have {}J_u : at_list v J <= at_list u (size u - n) by apply: le_trans J_t _; hav
 pose j := interval K n u (at_list v J).
 have h_j : lies n u (at_list v J) j by apply: lies_in; rewrite // u_J.
 rewrite -(same_point hu hv H bJ h_j c (t := t)) ?J_t //; last by have/andP[] := in_u.
-by rewrite -val (piece_stays bJ up_J h_j) ?size_nseq.
+by rewrite -val (piece_stays H bJ up_J h_j) ?size_nseq.
 Qed.
 End Form.
 End Windows.

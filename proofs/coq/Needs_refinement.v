@@ -41,15 +41,6 @@ Local Notation K := (ordered [realFieldType of rat]).
 Local Notation V := (rows [fieldType of rat] 1).
 Local Notation point x := (const_mx x : 'rV[rat]_1).
 
-(** blossoms refined_curve_needs_knots: over the knots $0,1,2$ of degree 1 the points $0,1,0$ have $c(1)=1$; over $0,2$ the curve is 0. *)
-Theorem blossoms_refined_curve_needs_knots (u := [:: 0; 1; 2%:R]) (c := on_axis [:: 0; 1; 0]) (v := [:: 0; 2%:R]) :
-  exists2 r, refined_program K V 1 u c v = Value r &
-    mapping_value_program K V 1 u c 1 = Value (point 1) /\ mapping_value_program K V 1 v r 1 = Value (point 0).
-Proof.
-exists (on_axis [:: 0; 0]); first by apply: refined_line; vm_compute.
-by split; apply: value_line; vm_compute.
-Qed.
-
 (** blossoms refined_curve_needs_start: over the knots $0,0,1,1,2,2$ of degree 2 the points $0,0,0,1,0$ have $c(0)=0$; over $-1,-1,1,1,2,2$, where 0 is no
     knot and each knot inside is as often, the vertices are $0,-2,0,1,0$, and at 0 the curve is $-1$. *)
 Theorem blossoms_refined_curve_needs_start (u := [:: 0; 0; 1; 1; 2%:R; 2%:R]) (c := on_axis [:: 0; 0; 0; 1; 0]) (v := [:: -1; -1; 1; 1; 2%:R; 2%:R]) :
