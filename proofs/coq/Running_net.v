@@ -102,6 +102,20 @@ move=> x y X Y hx hy; have [h1 [h2 _]] := rounding_binary_running_sum prec emax 
 by split; [exact: h1 | exact: h2 | exact: rounding_binary_running_product | exact: rounding_binary_running_quotient].
 Qed.
 
+(* What a running result says of the number that a program without bounds computes and of the exact one, if the exact result is that number where it exists. *)
+Lemma running_close x X (a : T) q : tracks x X -> value x = a -> (forall s, X = Some s -> s = real q) -> is_finite (bound x) = true ->
+  `|rational a - q| <= rational (bound x).
+Proof.
+rewrite /tracks => + + + fin; rewrite fin => -[_ [s [-> close]]] <- /(_ _ erefl) e.
+by apply: real_le; rewrite real_norm real_sub !real_rational -e.
+Qed.
+
+Lemma given_agrees (a : T) : agrees (Some (B2R a)) (rational a).
+Proof. by move=> _ [<-]; rewrite real_rational. Qed.
+
+Lemma off_exact (a b : T) : (exists2 t : R, minus exacts (Some (B2R a)) (Some (B2R b)) = Some t & t <> 0%Re) -> rational a - rational b != 0.
+Proof. by case=> t [<-] nt; apply/eqP=> z; apply: nt; rewrite -!real_rational -real_sub z (real_int 0). Qed.
+
 Variables (m : nat) (u : nat -> T) (n : nat) (L M : T) (c : nat -> 'I_m -> T) (dK : 'I_m -> T) (d : nat -> 'rV[rat]_m) (K J : nat).
 Hypothesis start : d K = \row_k rational (dK k).
 Local Notation v := (fun i => rational (u i)).
@@ -110,28 +124,22 @@ Lemma running_net k (r := net_from runnings (fun i => given (u i)) n (given L) (
   (forall i, (K <= i < J)%N || (J <= i < K)%N -> cell v n (rational L) (rational M) (read rational c) d i) ->
   is_finite (bound r) = true -> `|rational (net_from machine u n L M (c^~ k) (dK k) K J) - d J 0 k| <= rational (bound r).
 Proof.
-move=> cells fin; have real_exact (a : T) : agrees (Some (B2R a)) (rational a) by move=> _ [<-]; rewrite real_rational.
-pose X := net_from exacts (fun i => Some (B2R (u i))) n (Some (B2R L)) (Some (B2R M)) (fun i => Some (B2R (c i k))) (Some (B2R (dK k))) K J.
-have hX : tracks r X by rewrite /r /X; apply: (keep_net (@tracks_related)) => *; exact: number_tracks.
-have ex : value r = net_from machine u n L M (c^~ k) (dK k) K J by rewrite /r; apply: (keep_net (@values_related)).
-move: hX; rewrite /tracks fin => -[_ [s [eX close]]].
-have eq : s = real (net_from (exactly [fieldType of rat]) v n (rational L) (rational M) (fun i => rational (c i k)) (rational (dK k)) K J).
-  by by apply: (keep_net (@agrees_related)) eX => *; exact: real_exact.
-have off (a : T) : (exists2 t : R, minus exacts (Some (B2R M)) (Some (B2R a)) = Some t & t <> 0%Re) -> rational M - rational a != 0.
-  by case=> t [<-] nt; apply/eqP=> z; apply: nt; rewrite -!real_rational -real_sub z (real_int 0).
-have after i : (K <= i < J)%N -> rational M - v i != 0.
+move=> cells; pose X := net_from exacts (fun i => Some (B2R (u i))) n (Some (B2R L)) (Some (B2R M)) (fun i => Some (B2R (c i k))) (Some (B2R (dK k))) K J.
+apply: (running_close (X := X)).
+- by rewrite /r /X; apply: (keep_net (@tracks_related)) => *; exact: number_tracks.
+- by rewrite /r; apply: (keep_net (@values_related)).
+move=> s eX; have after i : (K <= i < J)%N -> rational M - v i != 0.
   move=> range; have lt : (i - K < J - K)%N by lia.
   have le : (K <= J)%N by lia.
-  apply: off; move: eX; rewrite /X /net_from le /upwards => /divisors_exist/(_ _ lt).
+  apply: off_exact; move: eX; rewrite /X /net_from le /upwards => /divisors_exist/(_ _ lt).
   by rewrite subnK //; case/andP: range.
 have before i : (J <= i < K)%N -> rational M - v (i + n)%N != 0.
   move=> range; have lt : (K - i.+1 < K - J)%N by lia.
   have le : (K <= J)%N = false by lia.
-  apply: off; move: eX; rewrite /X /net_from le /downwards => /divisors_exist/(_ _ lt).
+  apply: off_exact; move: eX; rewrite /X /net_from le /downwards => /divisors_exist/(_ _ lt).
   by rewrite (_ : K - (K - i.+1).+1 = i)%N //; lia.
-have sk : rational (dK k) = d K 0 k by rewrite start mxE.
-apply: real_le; rewrite real_norm real_sub !real_rational -ex.
-by rewrite -(rounding_exact (c := fun i k => rational (c i k)) k after before cells) -sk -eq.
+rewrite -(rounding_exact (c := fun i k => rational (c i k)) k after before cells) start mxE.
+by apply: (keep_net (@agrees_related)) eX => *; exact: given_agrees.
 Qed.
 End Net.
 
