@@ -1,16 +1,7 @@
 (* What becomes of the bound of Rounding_binary64.v without its hypotheses.
    Definitions:
      zero, one, half, tiny, largest   0, 1, 1/2, the least positive double 2^-1074 and the largest (2^53 - 1) 2^971 *)
-From Coq Require Import ZArith Reals Psatz.
-From Flocq Require Import Core BinarySingleNaN.
-From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
-From Torse Require Import Points FJ07_3_net Rounding Rounding_net Binary Rounding_binary Rounding_binary64.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
-Delimit Scope R_scope with Re.
+From Torse Require Import Prelude_binary Points FJ07_3_net Rounding Rounding_net Binary Rounding_binary Rounding_binary64.
 Local Notation eps := (unit_roundoff 53).
 
 Definition zero : double := B754_zero false.

@@ -9,12 +9,9 @@
      kept A val ...    the model holds for each operation of the first N steps, or else 0 / x = 0; val being the value of a T
      perturbed x j     a step of the recursion with rounding factors;  across a b i N   the product of a_j / b_j for i <= j < N
      spread ...        the bound of the error of a ruling: the terms of FJ07.16, each in absolute value and times its gamma *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Record arithmetic (T : Type) := Arithmetic {plus : T -> T -> T; minus : T -> T -> T; times : T -> T -> T; over : T -> T -> T}.
 Definition exactly (F : fieldType) : arithmetic F := Arithmetic +%R (fun x y => x - y) *%R (fun x y => x / y).

@@ -5,16 +5,7 @@
      machine prec emax   the four operations of Binary.v
      unit_roundoff prec, least_normal emax   2^-prec and 2^(2 - emax)
      times_survives x y, over_survives x y   a product, a quotient that do not underflow *)
-From Coq Require Import ZArith Reals Psatz.
-From Flocq Require Import Core BinarySingleNaN.
-From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
-From Torse Require Import Binary Rounding.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
-Delimit Scope R_scope with Re.
+From Torse Require Import Prelude_binary Binary Rounding.
 
 Section Values.
 Definition real (x : rat) : R := (IZR (Z_of_int (numq x)) / IZR (Z_of_int (denq x)))%Re.

@@ -2,15 +2,7 @@
    Definitions:
      net_bound, net_down_bound, printed_bound, printed_down_bound   what Rounding_binary_net.v and Rounding_binary_printed.v say of a format
      double, doubles  binary64 of IEEE 754, 53 bits and exponents up to 1024, and its operations; binary32 has 24 bits and exponents up to 128 *)
-From Coq Require Import ZArith Reals.
-From Flocq Require Import Core BinarySingleNaN.
-From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
-From Torse Require Import Points FJ07_3_net Rounding Rounding_net Rounding_printed Binary Rounding_binary Rounding_binary_net Rounding_binary_printed.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude_binary Points FJ07_3_net Rounding Rounding_net Rounding_printed Binary Rounding_binary Rounding_binary_net Rounding_binary_printed.
 
 Definition double := number 53 1024.
 #[export] Instance prec_double : Prec_gt_0 53 := erefl.

@@ -1,16 +1,7 @@
 (* The a-priori bound for the bits that a processor computes.
    Definitions:
      survives ...     the vertex N and the knots far_j on the way are finite, and no product or quotient underflows *)
-From Coq Require Import ZArith Reals Psatz.
-From Flocq Require Import Core BinarySingleNaN.
-From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
-From Torse Require Import Points FJ07_3_net Rounding Rounding_net Binary Rounding_binary.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
-Delimit Scope R_scope with Re.
+From Torse Require Import Prelude_binary Points FJ07_3_net Rounding Rounding_net Binary Rounding_binary.
 
 Section Steps.
 Variables (prec emax : Z).

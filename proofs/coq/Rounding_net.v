@@ -5,13 +5,9 @@
      kept_vertex ...        the standard model holds for each operation that leads to the vertex N, if any does
      bound_up, bound_down   the terms of FJ07.16 from the vertex K to J, each in absolute value and times its gamma
      read val c i           the point c_i, the values of whose coordinates val gives *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points FJ07_3_net Rounding.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points FJ07_3_net Rounding.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Program.
 Variables (T : Type) (A : arithmetic T) (u : nat -> T) (n : nat) (L M : T) (c : nat -> T) (d : T) (K : nat).

@@ -8,13 +8,9 @@
      kept_printed    the model holds for each operation of the first N steps
      printed_spread  the bound: the terms of (14), each in absolute value and times its gamma
      printed_bound_up, printed_bound_down   the same in the knots of the paper *)
-From mathcomp Require Import all_ssreflect all_algebra ring zify.
-From Torse Require Import Points FJ07_3_net Rounding Rounding_net.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
+From Torse Require Import Prelude Points FJ07_3_net Rounding Rounding_net.
+From mathcomp Require Import order ssrnum.
+Import Order.TTheory Num.Theory.
 
 Section Program.
 Variables (T : Type) (A : arithmetic T).

@@ -2,17 +2,8 @@
    Definitions:
      respects R A B        R between two types is kept by their operations A and B
      given x              a number as an exact operand *)
-From Coq Require Import ZArith Reals Psatz.
-From Flocq Require Import Core BinarySingleNaN.
-From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
-From Torse Require Import Points FJ07_3_net Rounding Rounding_net Binary Rounding_binary Rounding_binary64.
+From Torse Require Import Prelude_binary Points FJ07_3_net Rounding Rounding_net Binary Rounding_binary Rounding_binary64.
 From Torse Require Import Running Running_numbers Running_operations Running_quotient Running_programs.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
-Delimit Scope R_scope with Re.
 
 Section Related.
 Variables (S T : Type) (A : arithmetic S) (B : arithmetic T) (R : S -> T -> Prop).

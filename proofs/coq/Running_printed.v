@@ -1,15 +1,6 @@
 (* Running error analysis of (13) solved as it stands: the doubles of the library and the exact row. *)
-From Coq Require Import ZArith Reals Psatz.
-From Flocq Require Import Core BinarySingleNaN.
-From mathcomp Require Import all_ssreflect all_algebra ring zify ssrZ.
-From Torse Require Import Points FJ07_3_net Rounding Rounding_net Rounding_printed Binary Rounding_binary Rounding_binary64.
+From Torse Require Import Prelude_binary Points FJ07_3_net Rounding Rounding_net Rounding_printed Binary Rounding_binary Rounding_binary64.
 From Torse Require Import Running Running_numbers Running_operations Running_quotient Running_programs Running_net.
-Set Implicit Arguments.
-Unset Strict Implicit.
-Unset Printing Implicit Defensive.
-Import Order.TTheory GRing.Theory Num.Theory.
-Local Open Scope ring_scope.
-Delimit Scope R_scope with Re.
 
 Section Related.
 Variables (S T : Type) (A : arithmetic S) (B : arithmetic T) (R : S -> T -> Prop).
