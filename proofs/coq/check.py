@@ -23,7 +23,7 @@ root = here.parent.parent
 build = root / "build" / "coq"
 memory = 8 << 30  # bytes of address space for each program
 library = "Torse"
-prelude = "Prelude"  # exports scopes and settings, which would change how Coq prints
+preludes = ("Prelude", "Prelude_binary")  # export scopes and settings, which would change how Coq prints
 of_library = ("FJ07", "FJ21", "ZW06", "BZZ19")
 papers = {"FJ07": "Fernández-Jambrina 2007", "FJ21": "Fernández-Jambrina 2021", "ZW06": "Zhang and Wang 2006",
           "BZZ19": "Bo, Zheng and Zhang 2019", "blossoms": "Blossoms", "rounding": "Rounding errors"}
@@ -186,7 +186,7 @@ def printed(found, definitions):
     modules = [file[:-2] for file in sources()]
     script = ["From mathcomp Require Import all_ssreflect all_algebra."]
     script += [f"From {library} Require {' '.join(modules)}."]
-    script += [f"From {library} Require Import {' '.join(module for module in modules if module != prelude)}."]
+    script += [f"From {library} Require Import {' '.join(module for module in modules if module not in preludes)}."]
     script += ["Set Printing Width 110.", "Definition torse_next := tt.", together("torse_free", free), together("torse_others", others)]
     questions = [f"Check {name}." for name in names] + [f"Print {name}." for name in definitions]
     questions += ["Print Assumptions torse_free.", "Print Assumptions torse_others."]
