@@ -112,11 +112,13 @@ by rewrite (leq_sizeP _ _ sf) // mulr0; case: j lt_j => //= j lt_j; rewrite (leq
 Qed.
 
 (** FJ07.3 degree: the determinant $[d',c',d-c]$ of a piece has degree $3n-3$ at most, so that $3n-2$ of its values decide it.
-    Hypotheses: $n\ne0$ in the field. *)
-Theorem FJ07_3_degree n (v : nat -> F) (p q : nat -> 'rV[F]_3) : n%:R != 0 :> F ->
+    Hypotheses: the knots carry a piece, so that its points have a meaning. *)
+Theorem FJ07_3_degree n (v : nat -> F) (p q : nat -> 'rV[F]_3) : span n v ->
   (size (triple (pderiv (pcurve n v q)) (pderiv (pcurve n v p)) (pcurve n v q - pcurve n v p)) <= 3 * n - 2)%N.
 Proof.
-move=> n0; have {}n0' : (0 < n)%N by case: n n0 => //; rewrite eqxx.
+move=> sp; have [n0|n0] := eqVneq (n%:R : F) 0.
+  by rewrite FJ07_3_blossoms // natrX -(polyC_nat F) n0 polyC0 expr0n mul0r size_poly0.
+have n0' : (0 < n)%N by case: n n0 {sp} => //; rewrite eqxx.
 set a := pderiv _; set b := pderiv _; set w := _ - _.
 have sa l : (size (a 0%R l) <= n)%N by rewrite !mxE; apply: size_deriv_le; exact: size_curve.
 have sb l : (size (b 0%R l) <= n)%N by rewrite !mxE; apply: size_deriv_le; exact: size_curve.

@@ -170,22 +170,41 @@ have -> : \prod_(0 <= i < K.+1) ((M - at_list u i) / (M - at_list u (i + n)%N)) 
 by [].
 Qed.
 
-(** FJ07.21 program: for a value $M_0$ the programs give $\sigma_0$, $\tau_0$ and the row $d$ with $d_0=c_0+\sigma_0v$, $d_L=c_L+\tau_0w$ and (13) in all
-    cells, wherever they give values.
-    Hypotheses: $M_0$ is a root of the polynomial of (20). *)
+Lemma ends_same n u c v w M sigma tau : ends_of R V X_ Y_ Z_ n u c v w M M = Value [:: sigma; tau] -> sigma = 0 /\ tau = 0.
+Proof. by rewrite /ends_of coordinatesE /given; case: ifP => // _ [<- <-]; rewrite /= subrr !(mul0r, mulr0). Qed.
+
+Lemma last_along (u : nat -> F) n S M (c : nat -> 'rV[F]_3) v w K sigma tau : (forall i, (i < K.+1)%N -> M - u i != 0) -> S != M ->
+  net u n S M c (c 0%N + sigma *: v) K.+1 = c K.+1 + tau *: w -> triple (aim u n c K M - c K.+1) v w = 0.
+Proof.
+move=> off; rewrite -subr_eq0 => S0 e; have [e0 cells] := FJ07_13_exists n S c (c 0%N + sigma *: v) off.
+have := FJ07_20_last off cells; rewrite e0 e ![_ + _ *: _ - _]addrAC !subrr !add0r.
+have k0 : (S - M) / (M - u K) != 0 by rewrite mulf_neq0 ?invr_eq0 // off.
+move: (aim _ _ _ _ _) (P _ _ _ _ _) k0 => a p; move: ((S - M) / (M - u K)) => k k0 {}e.
+have -> : a - c K.+1 = k^-1 *: (p *: (sigma *: v) - tau *: w).
+  by rewrite -[LHS]scale1r -(mulVf k0) -[LHS]scalerA; congr (_ *: _); rewrite e opprD addrA subrr sub0r -scalerN opprB.
+by coordinates; ring.
+Qed.
+
+(** FJ07.21 program: for a value $M_0$ the programs give $\sigma_0$, $\tau_0$ and the row $d$ with $d_0=c_0+\sigma_0v$ and (13) in all cells, wherever they give
+    values; $d_L=c_L+\tau_0w$ iff $M_0$ is a root of the polynomial of (20), or $\Lambda^{*}=M_0$, where $d=c$. *)
 Theorem FJ07_21_program n u c v w M S K sigma tau (r : seq 'rV[F]_3) : K.+1 = (size u - n)%N ->
   ends_program R V X_ Y_ Z_ n u c v w M S = Value [:: sigma; tau] -> interpolation_program R V X_ Y_ Z_ n u c v w M S = Value r ->
-  root (branches (at_list u) n (at_list c) K v w) M ->
-  [/\ at_list r 0 = at_list c 0 + sigma *: v, at_list r K.+1 = at_list c K.+1 + tau *: w &
-    forall i, (i < K.+1)%N -> cell (at_list u) n S M (at_list c) (at_list r) i].
+  [/\ at_list r 0 = at_list c 0 + sigma *: v, forall i, (i < K.+1)%N -> cell (at_list u) n S M (at_list c) (at_list r) i &
+    at_list r K.+1 = at_list c K.+1 + tau *: w <-> root (branches (at_list u) n (at_list c) K v w) M \/ S = M].
 Proof.
 move=> eK /knot_listP[hv] /fitsP[sc] /off_knotsP[off ends]; have [n0 _ _ _ _] := hv.
-case/knot_listP=> _ /fitsP[_] e; have [_ {}e] := given_Value e; case/off_knotsP: e => _; rewrite ends => /= er rt.
+case/knot_listP=> _ /fitsP[_] e; have [_ {}e] := given_Value e; case/off_knotsP: e => _; rewrite ends => /= er.
 have en : net_program R V n u c S M 0 (at_list c 0 + sigma *: v) = Value r.
   by rewrite /net_program knot_listP; split=> //; rewrite fitsP; split=> //; rewrite off_knotsP; split.
-have [_ _ r0 cells] := FJ07_13_program en; split=> // [|i lt_i]; last by apply: cells; rewrite -eK.
-have [_ _ _ ->] := (FJ07_13_row _ _ _ _ _ _ _ _).1 en; rewrite nth_mkseq -?eK //.
-exact: ends_ofE ends rt.
+have [_ _ r0 cells] := FJ07_13_program en; split=> // [i lt_i|]; first by apply: cells; rewrite -eK.
+have nz i : (i < K.+1)%N -> M - at_list u i != 0 by move=> lt_i; apply: off_neq off _; move: lt_i eK; clear; lia.
+have [_ _ _ ->] := (FJ07_13_row _ _ _ _ _ _ _ _).1 en; rewrite nth_mkseq -?eK //; split=> [e|[rt|eS]].
+- have [->|S_M] := eqVneq S M; [by right | left].
+  by apply/(FJ07_20_branches n (at_list c) v w nz); apply: last_along nz S_M e.
+- exact: ends_ofE ends rt.
+subst S; have [es et] := ends_same ends; have [e0 all_cells] := FJ07_13_exists n M (at_list c) (at_list c 0 + sigma *: v) nz.
+have := FJ07_20_last nz all_cells; rewrite e0 es et !scale0r !addr0 !subrr mul0r !(scaler0, scale0r) addr0 => /eqP.
+by rewrite subr_eq0 => /eqP.
 Qed.
 
 End Equal.
