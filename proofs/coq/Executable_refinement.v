@@ -58,6 +58,50 @@ apply/rowP=> l; rewrite !mxE; have [pol rE same] := refined_form l hu hv e.
 by rewrite (piece_stays hu hv pol rE same (enough_holds often) bJ up_J (lies_under hu u_J) sz) sz eqxx.
 Qed.
 
+(** blossoms refined_before: on a piece of the new knots inside which the old domain starts, $v_J<u_{n-1}<v_{J+1}$, the blossom of the new vertices is that of the
+    curve's first piece.
+    Hypotheses: an ordered field; $u_{n-1}<u_n$, so that the vertices before the domain have a meaning; no knot inside the old domain is before $v_{J+1}$, nor is it
+    more than once at $v_{J+1}$. *)
+Theorem blossoms_refined_before n u c v r J w : refined_program K V n u c v = Value r -> (n.-1 <= J < size v - n)%N ->
+  at_list v J < at_list u n.-1 < at_list v J.+1 -> at_list u n.-1 < at_list u n ->
+  (forall y, y \in u -> at_list u n.-1 < y < at_list u (size u - n) -> y <= at_list v J.+1 -> y = at_list v J.+1 /\ (count_mem y u <= 1)%N) -> size w = n ->
+  pblossom (piece n J (at_list v)) (piece n J (at_list r)) w = pblossom (at_list u) (at_list c) w.
+Proof.
+move=> e bJ /andP[J_u u_J] up_u simple sz; have [hv _ rE _] := blossoms_refined e; have hu : valid n u by case/knot_listP: e.
+have [n0 le_n _] := bounds_of hu; have [_ le_v _] := bounds_of hv; have e_n : n.-1.+1 = n := prednK n0.
+have b0 : (n.-1 <= n.-1 < size u - n)%N by move: n0 le_n; clear; lia.
+have sp_u : span n (piece n n.-1 (at_list u)) by apply: blossoms_carried => //; rewrite e_n lt_eqF.
+have sp_J : span n (piece n J (at_list v)) by apply: blossoms_carried; rewrite ?lt_eqF // (lt_trans J_u).
+have first (T : Type) (g : nat -> T) i : piece n n.-1 g i = g i by rewrite /drop_ e_n subnn.
+apply/rowP=> l; rewrite !mxE; transitivity (blossom (piece n n.-1 (at_list u)) (piece n n.-1 (coord (at_list c) l)) w); last first.
+  rewrite (@blossom_ext_knots _ _ (at_list u)) => [|i _]; last exact: first.
+  by apply: blossom_ext => i _; exact: first.
+rewrite -(blossoms_refinement _ sp_u sp_J sz); apply: blossom_ext => q; rewrite sz => le_q; set i := (J.+1 - n + q)%N.
+have -> : knots (piece n J (at_list v)) q n = knots (at_list v) i n by apply: knots_ext => k _; rewrite /drop_ addnA.
+have le_i : (i <= J.+1)%N by rewrite /i; move: le_q bJ n0; clear; lia.
+rewrite {1}/coord {1}/drop_ -/i rE; last by apply: leq_trans le_i _; case/andP: bJ.
+rewrite mxE -/(coord (drop_ _ (at_list c)) l).
+have [e_q|q0] := posnP q.
+  rewrite piece_of_before /=; last first.
+    by move=> k h_k; apply: le_lt_trans J_u; apply: (knots_up hv); move: h_k bJ n0; rewrite /i e_q; clear; lia.
+  rewrite [RHS](@blossom_ext_knots _ _ (drop_ 0 (at_list u))) => [|k _]; last exact: first.
+  by apply: blossom_ext => k _; rewrite first.
+have in_i : (i <= J.+1 < i + n)%N by rewrite /i; move: le_q q0 bJ n0; clear; lia.
+have [|k [h [in_k before h_k ->]]] := @piece_ofE F n u v n i hu; first by exists J.+1; rewrite // ltW.
+have e_k : k = J.+1.
+  apply/eqP; rewrite eqn_leq; apply/andP; split; rewrite leqNgt; apply/negP=> lt_k.
+    by have := before J.+1; rewrite lt_k; have/andP[-> _] := in_i => /(_ isT); rewrite ltNge ltW.
+  have [b le_h _ _] := h_k; have : at_list u n.-1 <= at_list u h by apply: (knots_up hu); move: b n0 le_n; clear; lia.
+  by rewrite leNgt (le_lt_trans le_h) // (le_lt_trans _ J_u) // (knots_up hv) //; move: lt_k bJ n0; clear; lia.
+rewrite e_k in h_k; have [b le_h up_h _] := h_k.
+have le_u : at_list u n.-1 <= at_list u h by apply: (knots_up hu); move: b n0 le_n; clear; lia.
+apply: (crossed_pieces (coord (at_list c) l) hu (size_knots _ _ _) b b0 up_h) => [|y yu /orP[|] /andP[lt_y le_y]]; first by rewrite e_n.
+  by move: (lt_le_trans lt_y le_y); rewrite ltNge le_u.
+have [|e_y le_1] := simple y yu _ (le_trans le_y le_h).
+  rewrite lt_y (le_lt_trans le_y) // (lt_le_trans up_h) // (knots_up hu) //; move: b n0; clear; lia.
+by apply: leq_trans le_1 _; rewrite -has_count has_pred1 e_y (map_f (fun g => at_ (at_list v g))) // mem_iota.
+Qed.
+
 (** blossoms refined_curve: the point at $t$ of the curve over the new knots is that of the curve, for every $t$ that both domains hold.
     Hypotheses: an ordered field; the start of the old domain is not inside the piece $[v_J,v_{J+1}]$ of the new knots that holds $t$; each knot inside the old domain
     that is not behind $v_{J+1}$ and follows one of $v_{J+1-n},\dots,v_J$ in the old domain is a new knot, at least as often. *)

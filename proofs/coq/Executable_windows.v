@@ -57,6 +57,12 @@ exists i, (interval K n u (at_list v i)); have h_i := lies_under hv le_i; split=
 have [b _ _ _] := h_i; rewrite /piece_at; case: (interval _ _ _ _) b => [|h] b; rewrite nat_ltbE ifT /=; move: b n0; clear; lia.
 Qed.
 
+Lemma piece_of_before n u v k i : (forall q, (i <= q < i + k)%N -> at_list v q < at_list u n.-1) -> piece_of K n u v k i = 0%N.
+Proof.
+elim: k i => // k ih i before; rewrite /piece_of [iota _ _]/= [map _ _]/= /piece_under /= before; last by rewrite leqnn addnS ltnS leq_addr.
+by apply: ih => q /andP[lt_q h_q]; apply: before; rewrite (ltnW lt_q) -addSnnS.
+Qed.
+
 Section Piece.
 Variables (n p e : nat) (u v : seq F) (J j : nat).
 Hypotheses (hu : valid n u) (hv : valid p v) (H : holds_at e n u p v J).

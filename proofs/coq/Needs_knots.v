@@ -155,15 +155,13 @@ Local Notation V := (rows [fieldType of F] m.+1).
 
 Lemma missed n u v i h j y : valid n u -> valid n v -> (i <= size v - n)%N -> (n.-1 <= h < size u - n)%N -> at_list u h < at_list u h.+1 ->
   (n.-1 <= j < size u - n)%N -> at_list u j < at_list u j.+1 -> (piece_of K n u v n i).-1 = (h.+1 - n)%N ->
-  (at_list u h < y <= at_list u j) || (at_list u j < y <= at_list u h) -> (count_mem y v < count_mem y u)%N ->
+  (at_list u h < y <= at_list u j) || (at_list u j < y <= at_list u h) -> (count_mem y [seq at_list v l | l <- iota i n] < count_mem y u)%N ->
   exists c r, refined_program K V n u c v = Value r /\ forall J, (n.-1 <= J < size v - n)%N -> at_list v J < at_list v J.+1 -> (J.+1 - n <= i <= J.+1)%N ->
     pblossom (piece n J (at_list v)) (piece n J (at_list r)) (knots (at_list v) i n)
       <> pblossom (piece n j (at_list u)) (piece n j (at_list c)) (knots (at_list v) i n).
 Proof.
-move=> hu hv le_i bh up_h bj up_j e_h in_y few; have [n0 le_n _] := bounds_of hu; have [_ le_v _] := bounds_of hv.
+move=> hu hv le_i bh up_h bj up_j e_h in_y few; have [n0 le_n _] := bounds_of hu.
 pose s := [seq at_list v l | l <- iota i n]; have sz : size s = n by rewrite size_map size_iota.
-have {}few : (count_mem y s < count_mem y u)%N.
-  by apply: leq_ltn_trans few; apply: count_window; move: le_i le_v; clear; lia.
 have [b differ] : exists b : nat -> F, blossom (piece n h (at_list u)) (piece n h b) (knots (at_list v) i n)
     != blossom (piece n j (at_list u)) (piece n j b) (knots (at_list v) i n).
   rewrite knots_map -/s; case/orP: (in_y) => [in_y'|in_y'].
@@ -191,6 +189,12 @@ have cE k : (n.-1 <= k < size u - n)%N -> blossom (piece n k (at_list u)) (coord
 rewrite {1}win blossoms_knots //; last by rewrite /l; move: in_i bJ; clear; lia.
 rewrite {1}/coord /drop_ e_l rE // mxE e_h => /eqP.
 by rewrite -/(drop_ (h.+1 - n)) -/(drop_ (j.+1 - n)) !cE // (negPf differ).
+Qed.
+
+Lemma few_window n v J i y k : valid n v -> (n.-1 <= J < size v - n)%N -> (count_mem y v < k)%N -> (J.+1 - n <= i <= J.+1)%N ->
+  (count_mem y [seq at_list v l | l <- iota i n] < k)%N.
+Proof.
+by move=> hv bJ few in_i; apply: leq_ltn_trans few; apply: count_window; have [_ le_v _] := bounds_of hv; move: in_i bJ le_v; clear; lia.
 Qed.
 
 (* The vertex that shows it. *)
@@ -227,13 +231,49 @@ Theorem blossoms_refined_blossom_needs_knots n u v J (j := interval K n u (at_li
   (forall c r w, refined_program K V n u c v = Value r -> size w = n ->
     pblossom (piece n J (at_list v)) (piece n J (at_list r)) w = pblossom (piece n j (at_list u)) (piece n j (at_list c)) w) -> enough n u v J.
 Proof.
-move=> hu hv bJ up_J u_J all_same l y in_l l_y y_L y_J; rewrite leqNgt; apply/negP=> few.
+move=> hu hv bJ up_J u_J all_same l y in_l l_y y_L y_J; rewrite leqNgt; apply/negP=> few; have few_in i := @few_window n v J i y _ hv bJ few.
 have yu : y \in u by rewrite -has_pred1 has_count; apply: leq_ltn_trans few.
 have h_j : lies n u (at_list v J) j by apply: lies_under.
 have [bj le_j up_j _] := h_j; have [i [h [in_i bh up_h e_h place]]] := shown hu hv bJ u_J in_l l_y y_L y_J yu.
-have [||c [r [e differ]]] := missed hu hv _ bh up_h bj up_j e_h (y := y) _ few; first by move: in_i bJ; clear; lia.
+have [||c [r [e differ]]] := missed hu hv _ bh up_h bj up_j e_h (y := y) _ (few_in i in_i); first by move: in_i bJ; clear; lia.
   by move: place; case: ifP => [y_vJ ->|/negbT]; [rewrite (knot_under hu h_j) | rewrite -ltNge => J_y ->; rewrite (le_lt_trans le_j J_y) orbT].
 by apply: (differ J bJ up_J in_i); apply: all_same; rewrite ?size_knots.
+Qed.
+
+(** blossoms refined_before_needs_simple: where the old domain starts inside the piece the condition on the knots is necessary as well.
+    Hypotheses: an ordered field; both lists of knots are accepted; $u_{n-1}<u_n$; points of one coordinate or more. *)
+Theorem blossoms_refined_before_needs_simple n u v J y : valid n u -> valid n v -> (n.-1 <= J < size v - n)%N ->
+  at_list v J < at_list u n.-1 < at_list v J.+1 -> at_list u n.-1 < at_list u n ->
+  (forall c r w, refined_program K V n u c v = Value r -> size w = n ->
+    pblossom (piece n J (at_list v)) (piece n J (at_list r)) w = pblossom (at_list u) (at_list c) w) ->
+  y \in u -> at_list u n.-1 < y < at_list u (size u - n) -> y <= at_list v J.+1 -> y = at_list v J.+1 /\ (count_mem y u <= 1)%N.
+Proof.
+move=> hu hv bJ /andP[J_u u_J] up_u all_same yu /andP[u_y y_L] y_J; have [n0 le_n _] := bounds_of hu.
+have e_n : n.-1.+1 = n := prednK n0; have b0 : (n.-1 <= n.-1 < size u - n)%N by move: n0 le_n; clear; lia.
+pose i := (J.+2 - n)%N; have in_i : (J.+1 - n <= i <= J.+1)%N by rewrite /i; move: n0; clear; lia.
+have [|k [h [in_k before h_k e_h]]] := @piece_ofE F n u v n i hu; first by exists J.+1; [rewrite /i; move: bJ n0; clear; lia | exact: ltW].
+have e_k : k = J.+1.
+  apply/eqP; rewrite eqn_leq; have/andP[_ lt_k] := in_k; apply/andP; split; first by move: lt_k bJ n0; rewrite /i; clear; lia.
+  rewrite leqNgt; apply/negP=> k_J; have [b le_h _ _] := h_k.
+  have : at_list u n.-1 <= at_list u h by apply: (knots_up hu); move: b n0 le_n; clear; lia.
+  rewrite leNgt (le_lt_trans le_h) // (le_lt_trans _ J_u) // (knots_up hv) //; have [_ le_v _] := bounds_of hv; move: k_J bJ le_v; clear; lia.
+rewrite e_k in h_k; have [bh _ up_h _] := h_k.
+have few : (count_mem y [seq at_list v l | l <- iota i n] <= (y == at_list v J.+1))%N.
+  have e_i : iota i n = rcons (iota i n.-1) J.+1.
+    by rewrite -cats1 -{1}e_n -[n.-1.+1]addn1 iotaD /= /i; congr (_ ++ [:: _]); move: bJ n0; clear; lia.
+  rewrite e_i map_rcons -cats1 count_cat /= addn0 [at_list v J.+1 == y]eq_sym (_ : count _ _ = 0%N) //.
+  apply/eqP; rewrite -leqn0 leqNgt -has_count has_map; apply/hasPn=> l; rewrite mem_iota => in_l /=.
+  rewrite lt_eqF // (le_lt_trans _ (lt_trans J_u u_y)) // (knots_up hv) //; have [_ le_v _] := bounds_of hv; move: in_l bJ le_v n0; rewrite /i; clear; lia.
+suff : (count_mem y u <= (y == at_list v J.+1))%N.
+  case: eqP => // _; rewrite leqn0 => /eqP z; move: yu; by rewrite -has_pred1 has_count z.
+rewrite leqNgt; apply/negP=> many; have := leq_ltn_trans few many => {}few.
+have [|||c [r [e differ]]] := missed hu hv _ bh up_h b0 _ e_h (y := y) _ few.
+- by rewrite /i; move: bJ n0; clear; lia.
+- by rewrite e_n.
+- by rewrite u_y (knot_under hu h_k) // orbT.
+apply: (differ J bJ (lt_trans J_u u_J) in_i); rewrite (all_same _ _ _ e) ?size_knots //.
+apply/rowP=> l; rewrite !mxE (@blossom_ext_knots _ _ (piece n n.-1 (at_list u))) => [|q _]; last by rewrite /drop_ e_n subnn.
+by apply: blossom_ext => q _; rewrite /coord /drop_ e_n subnn.
 Qed.
 
 (** blossoms refined_curve_needs_knots: likewise if the point at $t$ of the curve over the new knots is that of the curve, for all curves and all $t$ inside the
@@ -244,7 +284,7 @@ Theorem blossoms_refined_curve_needs_knots n u v J : valid n u -> valid n v -> (
   (forall c r t q, refined_program K V n u c v = Value r -> at_list v J < t < at_list v J.+1 ->
     mapping_value_program K V n u c t = Value q -> mapping_value_program K V n v r t = Value q) -> enough n u v J.
 Proof.
-move=> hu hv bJ up_J /andP[u_J J_L] all_same l y in_l l_y y_L y_J; rewrite leqNgt; apply/negP=> few.
+move=> hu hv bJ up_J /andP[u_J J_L] all_same l y in_l l_y y_L y_J; rewrite leqNgt; apply/negP=> few; have few_in i := @few_window n v J i y _ hv bJ few.
 have [n0 le_n _] := bounds_of hu; have [_ le_v _] := bounds_of hv.
 have yu : y \in u by rewrite -has_pred1 has_count; apply: leq_ltn_trans few.
 have [i [h [in_i bh up_h e_h place]]] := shown hu hv bJ u_J in_l l_y y_L y_J yu.
@@ -271,7 +311,7 @@ have [j [[bj up_j] [x [z [lt_xz [j_x x_j] [J_x x_J]]]] place_j]] : exists j, [/\
   exists (interval K n u (at_list v J)); split=> //; last exact: knot_under h_j yu y_vJ y_L.
   exists (at_list v J), (Num.min (at_list u (interval K n u (at_list v J)).+1) (at_list v J.+1)).
   by rewrite lt_minr J_j up_J !le_minl !lexx ?orbT.
-have [||c [r [e differ]]] := missed hu hv _ bh up_h bj up_j e_h (y := y) _ few; first by move: in_i bJ; clear; lia.
+have [||c [r [e differ]]] := missed hu hv _ bh up_h bj up_j e_h (y := y) _ (few_in i in_i); first by move: in_i bJ; clear; lia.
   by move: place place_j; case: ifP => _ -> ->; rewrite ?orbT.
 apply: (differ J bJ up_J in_i); apply/rowP=> k; rewrite !mxE.
 have sp_J : span n (piece n J (at_list v)) by apply: blossoms_carried; rewrite ?lt_eqF.
