@@ -86,7 +86,7 @@ have g_n : (g + n.+1 <= size r)%N.
   have e := count_first down_b le_u L_u; rewrite {1}/low ltxx in e; have := count_predC low u.
   have {e} : (count low u <= size u - n)%N by rewrite leqNgt -e.
   by move: le_n; clear; lia.
-have [d1 d2 d3] : [/\ (d + n < f)%N, (d + n < size r)%N & (g < size r)%N] by rewrite /d; split; lia.
+have [d1 d2 d3] : [/\ (d + n < f)%N, (d + n < size r)%N & (g < size r)%N] by rewrite /d; move: n_f f_g g_n; clear; move: f g (size r) => x y z; clear; split; lia.
 have vE : v = drop d (take (g + n.+1) r).
   by rewrite /v /elevated_knots /d /f (@eq_count _ _ small) // => x; rewrite /= -leNgt.
 have sz : size v = (g + n.+1 - d)%N by rewrite vE size_drop size_takel.

@@ -98,19 +98,19 @@ have le_yj : y <= at_list u j by apply: knots_up hv _; lia.
 have lt_iy : at_list u i < y by rewrite (lt_le_trans up_i) // flat //; lia.
 have le_r : (r <= count_mem (at_ y) a)%N.
   apply: leq_trans (often y _); last by rewrite lt_iy.
-  by apply: (@count_run _ _ i.+1); [rewrite /r; lia | move=> l h_l; apply: flat; rewrite /r in h_l; lia].
+  by apply: (@count_run _ _ i.+1) => [|l]; [move: lt_ih lt_h; rewrite /r; clear; lia | rewrite /r => h_l; apply: flat; move: lt_ih h_l; clear; lia].
 rewrite -(ih h) //; [| by lia | by lia |]; last first.
   by move=> z /andP[lt_z le_z]; apply: often; rewrite le_z andbT (lt_trans lt_iy).
 have [w pw sw] := perm_nseq le_r; rewrite sz in sw.
 have sp_i : span n (piece n i (at_list u)) by apply: blossoms_carried; rewrite ?lt_eqF //; lia.
 have sp_h : span n (piece n h (at_list u)) by apply: blossoms_carried; rewrite ?lt_eqF //; lia.
 rewrite (blossoms_symmetric _ _ pw) ?sz // [RHS](blossoms_symmetric _ _ pw) ?sz //.
-have e_k q : (h.+1 - n + q = i.+1 - n + (r + q))%N by rewrite /r; lia.
+have e_k q : (h.+1 - n + q = i.+1 - n + (r + q))%N by move: lt_ih le_i n0; rewrite /r; clear; lia.
 have dropE (g : nat -> F) q : piece n h g q = drop_ r (piece n i g) q by rewrite /drop_ e_k.
 rewrite [RHS](@blossom_ext_knots _ _ (drop_ r (piece n i (at_list u)))) => [|q _]; last exact: dropE.
 rewrite [RHS](@blossom_ext _ _ _ (drop_ r (piece n i c))) => [|q _]; last exact: dropE.
 rewrite (blossoms_joint (n := n)) //; first by move=> q q' h1 h2; rewrite -2!(dropE (at_list u)); exact: sp_h.
-by move=> q h_q; apply: flat; rewrite /r in h_q; lia.
+by move=> q; rewrite /r => h_q; apply: flat; move: h_q lt_ih le_i n0; clear; lia.
 Qed.
 
 Definition lies n u t i := [/\ (n.-1 <= i < size u - n)%N, at_list u i <= t, at_list u i < at_list u i.+1 &

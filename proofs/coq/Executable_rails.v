@@ -80,7 +80,7 @@ have sx : size x = N.+1 by rewrite /N prednK // ltnW.
 have le_x i l : (i <= l)%N -> (l <= N)%N -> at_list x i <= at_list x l.
   by move=> le_i le_l; apply: sorted_leq_nth; rewrite ?inE ?sx //; [exact: le_trans | by apply: sub_sorted up => y y'; exact: ltW | exact: leq_ltn_trans le_i _].
 have [D0 le_n le_pd] : [/\ (0 < D)%N, (n <= D)%N & (p * d <= D)%N].
-  by have [n0 _ _] := bounds_of hu; move: n0; rewrite /D nat_lebE; move: (p * d)%N => q; case: ifP => h n0; split; lia.
+  by have [n0 _ _] := bounds_of hu; move: n0; rewrite /D nat_lebE; move: (p * d)%N => q; clear; case: ifP => h n0; split; lia.
 have g : good [fieldType of F] D.+1 by rewrite /good pnatr_eq0 -lt0n fact_gt0.
 have in_w i : (i < N)%N -> at_list w d.-1 <= at_list x i <= at_list w (size w - d).
   by move=> lt_i; rewrite -x0 -xN !le_x // ltnW.

@@ -283,7 +283,7 @@ have lt_x i : (i < N)%N -> at_list x i < at_list x i.+1.
   by apply: (sorted_ltn_nth lt_trans 0 up) => //; rewrite inE sx ltnS // ltnW.
 split; first exact: lt_x.
 have [D0 le_n le_pd] : [/\ (0 < D)%N, (n <= D)%N & (p * d <= D)%N].
-  by have [n0 _ _] := bounds_of hu; move: n0; rewrite /D nat_lebE; move: (p * d)%N => q; case: ifP => h n0; split; lia.
+  by have [n0 _ _] := bounds_of hu; move: n0; rewrite /D nat_lebE; move: (p * d)%N => q; clear; case: ifP => h n0; split; lia.
 have g h : good [fieldType of F] h by rewrite /good pnatr_eq0 -lt0n fact_gt0.
 have in_w i : (i < N)%N -> at_list w d.-1 <= at_list x i <= at_list w (size w - d).
   by move=> lt_i; rewrite -x0 -xN !le_x // ltnW.

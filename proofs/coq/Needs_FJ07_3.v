@@ -70,6 +70,13 @@ rewrite mxE /curve /= /step /shift /polys /drop_ /coord /= !polyC0 !polyC1 !subr
 by move: (nth 0 r 0 0 k)%:P (nth 0 r 1 0 k)%:P (nth 0 r 2 0 k)%:P 'X => *; ring.
 Qed.
 
+Lemma det_of (p q : 'rV[{poly F}]_3) : x_ p = 'X * 'X -> y_ p = 0 -> z_ p = 0 -> x_ q = 'X * 'X -> y_ q = 'X -> z_ q = 'X * 'X + 1 ->
+  triple (pderiv q) (pderiv p) (q - p) = 2%:R * ('X ^+ 3 - 'X).
+Proof.
+rewrite tripleE /x_ /y_ /z_ !mxE => -> -> -> -> -> ->; rewrite !(derivD, derivM, derivX, derivC, deriv0).
+by move: 'X => X; ring.
+Qed.
+
 (** FJ07.3 decides_needs_characteristic: in characteristic 3, $n=2$, the Bezier points $0,0,(1,0,0)$ and $(0,0,1),(0,-1,1),(1,1,2)$ are those of $(t^2,0,0)$ and
     $(t^2,t,t^2+1)$, with the determinant $2(t^3-t)$, which is 0 at all the parameters $0,\dots,5$: the programs do not refute the surface, and it is not developable.
     Hypotheses: $3=0$ in the field. *)
@@ -80,19 +87,9 @@ move=> three; have two : 2%:R != 0 :> F.
   by apply: contra_neq (oner_neq0 F) => two; rewrite -[RHS]three (natrD _ 2 1) two add0r.
 have P3 : 3%:R = 0 :> {poly F} by rewrite -(polyC_nat F) three.
 have det : triple (pderiv (curve_of d)) (pderiv (curve_of c)) (curve_of d - curve_of c) = 2%:R * ('X ^+ 3 - 'X).
-  have [cx cy cz] : [/\ x_ (curve_of c) = 'X * 'X, y_ (curve_of c) = 0 & z_ (curve_of c) = 0].
-    by rewrite /x_ /y_ /z_ !parabola /= /vec !mxE /= !(addr0, polyC0, polyC1, mulr0, mulr1, add0r).
-  have [dx dy dz] : [/\ x_ (curve_of d) = 'X * 'X, y_ (curve_of d) = 'X & z_ (curve_of d) = 'X * 'X + 1].
-    rewrite /x_ /y_ /z_ !parabola /= /vec !mxE /= !(addr0, polyC0, polyC1, mulr0, mulr1, add0r) polyCD polyCN polyCMn polyC1.
-    split=> //; last by move: 'X => X; ring.
-    by apply: (by_multiple (z := 'X * 'X - 'X) P3); move: 'X => X; ring.
-  have dE (r : seq 'rV[F]_3) : [/\ x_ (pderiv (curve_of r)) = (x_ (curve_of r))^`(), y_ (pderiv (curve_of r)) = (y_ (curve_of r))^`() &
-      z_ (pderiv (curve_of r)) = (z_ (curve_of r))^`()] by rewrite /x_ /y_ /z_ !mxE.
-  have [c'x c'y c'z] := dE c; have [d'x d'y d'z] := dE d.
-  have bE (a b : 'rV[{poly F}]_3) : [/\ x_ (a - b) = x_ a - x_ b, y_ (a - b) = y_ a - y_ b & z_ (a - b) = z_ a - z_ b] by rewrite /x_ /y_ /z_ !mxE.
-  have [bx by' bz] := bE (curve_of d) (curve_of c).
-  rewrite tripleE bx by' bz c'x c'y c'z d'x d'y d'z cx cy cz dx dy dz !(derivD, derivM, derivX, derivC, deriv0).
-  by move: 'X => X; ring.
+  apply: det_of; rewrite /x_ /y_ /z_ !parabola /= /vec !mxE /= !(addr0, polyC0, polyC1, mulr0, mulr1, add0r) //.
+    by rewrite polyCD polyCN polyC1; apply: (by_multiple (z := 'X * 'X - 'X) P3); move: 'X => X; ring.
+  by rewrite polyCD polyC1; move: 'X => X; ring.
 have ok : ~~ refuted K V (@x_ F) (@y_ F) (@z_ F) 2 u c d 1.
   rewrite /refuted negbK; apply/allP=> j _; rewrite of_natE; apply/(@eqP F).
   have := @conditionE F (fun _ _ => false) 2 u c d 0 j%:R isT carried; rewrite det.
