@@ -136,13 +136,18 @@ have := eq_w i.+1 lt_i; rewrite -(eq_w i (ltnW lt_i)) scale1r => /(canRL (subrK 
 Qed.
 End Cone.
 
+Lemma triple_parallel (R : comUnitRingType) (s t : R) (v w : 'rV[R]_3) : triple (s *: v) (t *: v) w = 0.
+Proof. by coordinates; hide_entries; ring. Qed.
+
+Lemma pderiv_moved (F : fieldType) m (a : 'rV[F]_m) (k : F) (W : 'rV[{poly F}]_m) : pderiv (fixed a + k%:P *: W) = k%:P *: pderiv W.
+Proof. by apply/rowP=> j; rewrite !mxE derivD derivM !derivC mul0r !add0r. Qed.
+
 (** FJ07.5 developable: proportional rows span a developable surface, for any $k$.
     Hypotheses: the knots carry the piece, so that its points have a meaning. *)
 Theorem FJ07_5_developable (F : fieldType) n (u : nat -> F) (a : 'rV[F]_3) k (w : nat -> 'rV[F]_3) : span n u ->
   developable (pcurve n u (fun i => a + k *: w i)) (pcurve n u (fun i => a + (k + 1) *: w i)).
 Proof.
-move=> sp; rewrite /developable !pcurve_move //; move: (pcurve n u w) => W.
-by rewrite /fixed /pderiv; coordinates; rewrite !derivD !derivM !derivC; hide_entries; ring.
+by move=> sp; rewrite /developable !pcurve_move // !pderiv_moved triple_parallel.
 Qed.
 
 (** FJ07.6 developable: rows with proportional sides span a developable surface on every piece, $d(t)=\alpha c(t)+$ a point; for $\alpha=1$ too.
@@ -157,8 +162,7 @@ have eq_d i : (i <= K)%N -> d i = (d 0%N - al *: c 0%N) + al *: c i.
   by have := sides i lt_i => /(canRL (subrK _)) ->; rewrite ih 1?ltnW //; by_entries r; ring.
 have eq_D : D = fixed (d 0%N - al *: c 0%N) + al%:P *: C.
   rewrite -pcurve_move //; apply: pcurve_ext => i le_i; rewrite /drop_ eq_d //; lia.
-split=> //; rewrite eq_D /developable; move: (d 0%N - _) C {eq_D D} => o C.
-by rewrite /fixed /pderiv; coordinates; rewrite !derivD !derivM !derivC; hide_entries; ring.
+by split=> //; rewrite eq_D /developable pderiv_moved -[X in triple _ X]scale1r triple_parallel.
 Qed.
 
 Section Counterexamples.
