@@ -9,23 +9,14 @@
 namespace torse::repair {
 namespace {
 
-/// The better descent from the two best starts.
+/// The best of the descents from all starts.
 template <int D>
-std::optional<Descent<D>> best_descent(const BilinearSystem<Real>& system, const RealNet<D>& net, Real rival) {
+std::optional<Descent<D>> best_descent(const BilinearSystem<Real>& system, const RealNet<D>& net, const Real& rival) {
   const Projector<D> projector = [&](const std::vector<Real>& theta) { return project<D>(system, net, theta); };
-  std::vector<std::pair<Real, std::vector<Real>>> starts;
-  for (std::vector<Real>& theta : first_constants<D>(system, net)) {
-    if (const auto projection = projector(theta)) starts.emplace_back(projection->squared, std::move(theta));
-  }
-  std::ranges::stable_sort(starts, {}, [](const auto& start) { return start.first; });
-  constexpr std::size_t most_starts = 2;
-  if (starts.size() > most_starts) starts.resize(most_starts);
   std::optional<Descent<D>> best;
-  for (auto& [squared, theta] : starts) {
+  for (std::vector<Real>& theta : first_constants<D>(system, net)) {
     auto descent = descend<D>(projector, std::move(theta), system.constants, rival);
-    if (!descent || (best && !(descent->nearest.squared < best->nearest.squared))) continue;
-    rival = std::min(rival, descent->nearest.squared);
-    best = std::move(descent);
+    if (descent && (!best || descent->nearest.squared < best->nearest.squared)) best = std::move(descent);
   }
   return best;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "torse/exact/rational/rational.hpp"
 
@@ -171,6 +172,49 @@ TEST(Overlap, ACornerBeyondAnEdgeIsApart) {
     EXPECT_EQ(find_overlap(outline(scaled, 0.05 * std::abs(scale)), {}).verdict, Truth::no) << scale;
     std::ranges::reverse(scaled);
     EXPECT_EQ(find_overlap(outline(scaled, 0.05 * std::abs(scale)), {}).verdict, Truth::no) << scale;
+  }
+}
+
+/// Which side of the line from a to b c is on, exactly.
+int exact_side(const PlatePoint& a, const PlatePoint& b, const PlatePoint& c) {
+  const auto q = [](double x) { return Rational::from_double(x); };
+  return ((q(b.x) - q(a.x)) * (q(c.y) - q(a.y)) - (q(b.y) - q(a.y)) * (q(c.x) - q(a.x))).sign();
+}
+
+bool exactly_cross(const PlatePoint& a, const PlatePoint& b, const PlatePoint& c, const PlatePoint& d) {
+  return exact_side(a, b, c) * exact_side(a, b, d) < 0 && exact_side(c, d, a) * exact_side(c, d, b) < 0;
+}
+
+/// Two edges over each other, on one line but for rounding, the others far away: what crosses is not said not to.
+TEST(Overlap, EdgesOverEachOtherOnOneLine) {
+  std::mt19937_64 rng(1);
+  int crossings = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const double slope = static_cast<double>(rng() % 1000) / 999;
+    const double up = trial % 2 == 0 ? 1 : -1;
+    const auto at = [&](double x) {
+      return PlatePoint{x, up * (slope * x + (static_cast<double>(rng() % 9) - 4) * 0x1p-54)};
+    };
+    const double share = static_cast<double>(rng() % 4096) / 4096;
+    const PlatePoint a = at(0), b = at(1), c = at(-1 - share), d = at(share);
+    if (!exactly_cross(a, b, c, d)) continue;
+    ++crossings;
+    const std::vector<PlatePoint> points{a, b, {4, 20 * up}, {-4, 20 * up}, c, d, {1, -20 * up}};
+    EXPECT_NE(find_overlap(outline(points, 0), {}).verdict, Truth::no) << trial;
+  }
+  EXPECT_GT(crossings, 100);
+}
+
+/// Two edges behind each other, on one line but for rounding, further apart than both errors: they are not said to
+/// cross.
+TEST(Overlap, EdgesBehindEachOtherOnOneLine) {
+  std::mt19937_64 rng(1);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double slope = 0.75 + static_cast<double>(rng() % 1000) / 4000;
+    const auto at = [&](double x) { return PlatePoint{x, slope * x + (static_cast<double>(rng() % 9) - 4) * 0x1p-54}; };
+    const PlatePoint a = at(0), b = at(1), c = at(1.125), d = at(2 + static_cast<double>(rng() % 4096) / 4096);
+    const std::vector<PlatePoint> points{a, b, {b.x, -9}, {d.x, -8}, d, c, {c.x, 8}, {a.x, 9}};
+    EXPECT_NE(find_overlap(outline(points, 0.07), {}).verdict, Truth::yes) << trial;
   }
 }
 
