@@ -109,12 +109,15 @@ std::optional<CadFormat> cad_format(const std::string& file, std::string_view by
   return std::nullopt;
 }
 
-std::vector<Face> cad_faces(const std::string& file, CadFormat format, const std::string& bytes) {
-  const CadModel model = read_cad(file, format, bytes);
+std::vector<Face> faces_of(const std::string& file, const CadModel& model) {
   require_few(file, model);
   std::vector<Face> faces;
   for (const CadFace& face : model.faces) append(file, model, face, faces);
   return faces;
+}
+
+std::vector<Face> cad_faces(const std::string& file, CadFormat format, const std::string& bytes) {
+  return faces_of(file, read_cad(file, format, bytes));
 }
 
 }  // namespace torse::cli

@@ -36,10 +36,10 @@ struct Stations {
 
   Stations(const std::vector<RailJet>& jets, double unit) {
     for (const RailJet& jet : jets) {
-      const double speed = jet.first.norm();
+      const Vector direction = jet.first.normalized();  // zero where the rail is at rest
       for (int k = 0; k < 3; ++k) {
         point[static_cast<std::size_t>(k)].push_back(static_cast<float>(jet.point[k] / unit));
-        tangent[static_cast<std::size_t>(k)].push_back(static_cast<float>(speed > 0 ? jet.first[k] / speed : 0));
+        tangent[static_cast<std::size_t>(k)].push_back(static_cast<float>(direction[k]));
       }
     }
   }
