@@ -4,8 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "torse/algebra/bernstein.hpp"
+#include "torse/algebra/polynomial.hpp"
 #include "torse/exact/roots/real_roots.hpp"
-#include "torse/spline/piece_polynomials.hpp"
+#include "torse/spline/insertion.hpp"
 
 namespace torse {
 
@@ -13,47 +15,28 @@ namespace {
 
 using Q = Rational;
 
-Q middle(const Q& a, const Q& b) { return (a + b) / Q(2); }
-
-/// Whether the intervals leave room on both sides of every root, within [a, b] too.
-bool separated(const std::vector<RealRoot>& roots, const Q& a, const Q& b) {
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    if (i > 0 && !(roots[i - 1].upper < roots[i].lower)) return false;
-    if (roots[i].rational()) continue;
-    for (const Q* end : {&a, &b}) {
-      if (!(*end < roots[i].lower || roots[i].upper < *end)) return false;
-    }
-  }
-  return true;
+/// A positive multiple of (1 + s)^(d-1) sigma'((a + b s) / (1 + s)) on piece k = [a, b], with the sign of sigma' inside
+/// for positive s: the steps of the Bezier points times binomials are its coefficients.
+Polynomial<Q> slope_of(const Mapping<Q>& sigma, int k) {
+  const std::vector<Vec<Q, 1>> points = bezier_points(sigma.knots, sigma.points(), k);
+  const int degree = sigma.knots.degree() - 1;
+  std::vector<Q> list = binomials<Q>(degree);
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] *= points[i + 1][0] - points[i][0];
+  return Polynomial<Q>(std::move(list));
 }
 
-/// The real roots of f, which is not zero, in intervals that are separated. An irrational root is neither a nor b.
-std::vector<RealRoot> separated_roots(const Polynomial<Q>& f, const Q& a, const Q& b) {
-  int bits = 16;
-  std::vector<RealRoot> roots = real_roots(f.coefficients(), bits);
-  while (!separated(roots, a, b)) roots = real_roots(f.coefficients(), bits *= 2);
-  return roots;
-}
-
-/// One point of (a, b) between any two neighbours among a, b and the roots of f.
-std::vector<Q> between_roots(const Polynomial<Q>& f, const Q& a, const Q& b) {
-  std::vector<Q> samples;
-  Q last = a;
-  for (const RealRoot& root : separated_roots(f, a, b)) {
-    if (!(a < root.upper && root.lower < b)) continue;
-    samples.push_back(middle(last, root.lower));
+/// A positive number where f, which is not zero, is negative.
+std::optional<Q> negative_place(const Polynomial<Q>& f) {
+  constexpr int bits = 16;
+  Q last(0);
+  for (const RealRoot& root : real_roots(f.coefficients(), bits)) {
+    if (root.upper.sign() <= 0) continue;  // intervals of roots have no zero inside
+    Q between = (last + root.lower) / Q(2);
+    if (f(between).sign() < 0) return between;
     last = root.upper;
   }
-  samples.push_back(middle(last, b));
-  return samples;
-}
-
-/// A parameter of (a, b) where f < 0.
-std::optional<Q> negative_inside(const Polynomial<Q>& f, const Q& a, const Q& b) {
-  for (const Q& t : between_roots(f, a, b)) {
-    if (f(t).sign() < 0) return t;
-  }
-  return std::nullopt;
+  const Q beyond = last + Q(1);
+  return f(beyond).sign() < 0 ? std::optional(beyond) : std::nullopt;
 }
 
 }  // namespace
@@ -64,11 +47,11 @@ MonotonyVerdict decide_monotony(const Mapping<Rational>& sigma) {
   for (int k : sigma.knots.proper_pieces()) {
     const Q& a = sigma.knots.piece_begin(k);
     const Q& b = sigma.knots.piece_end(k);
-    const Polynomial<Q> slope = derivative(piece_polynomials<Q, 1>(sigma.knots, sigma.points(), k))[0];
+    const Polynomial<Q> slope = slope_of(sigma, k);
     if (slope.zero()) {
-      if (verdict.kind == Monotony::strict) verdict = {Monotony::weak, middle(a, b)};
+      if (verdict.kind == Monotony::strict) verdict = {Monotony::weak, (a + b) / Q(2)};
     } else if (!ordered) {
-      if (std::optional<Q> t = negative_inside(slope, a, b)) return {Monotony::none, std::move(t)};
+      if (const std::optional<Q> s = negative_place(slope)) return {Monotony::none, (a + b * *s) / (Q(1) + *s)};
     }
   }
   return verdict;

@@ -82,7 +82,7 @@ NetDistance distance_between(const repair::RuledRows& before, const repair::Rule
         largest_coordinate = std::max<Rational>(largest_coordinate, magnitude_of(old.points[i][j]));
         if (old.points[i][j].sign() == 0) continue;
         any_ulps = true;
-        if (size.sign() != 0) ulps = std::max<Rational>(ulps, size / unit_in_last_place(old.points[i][j]));
+        ulps = std::max<Rational>(ulps, size / unit_in_last_place(old.points[i][j]));
       }
       weights = std::max<Rational>(weights, magnitude_of((now.weights[i] - old.weights[i]) / now.weights[i]));
       positive = positive && old.weights[i].sign() > 0 && now.weights[i].sign() > 0;

@@ -63,6 +63,36 @@ TEST(Monotony, TwoIrrationalRootsNearEachOther) {
   EXPECT_LT(mapping_slope(sigma, *verdict.witness), Q(0));
 }
 
+/// An irrational root of the slope just behind the begin or before the end of a piece, with another one on either side
+/// of the domain: the slope is negative from there to the end of the piece.
+TEST(Monotony, IrrationalRootsNextToTheEnds) {
+  const Q tiny = Q(1) / Q(1LL << 45);
+  for (const Q& bend : {ratio<Q>(1, 7), ratio<Q>(-1, 7)}) {
+    // t - tiny + bend t^2, and the same for 1 - t.
+    const Polynomial<Q> f(std::vector<Q>{-tiny, Q(1), bend});
+    const MonotonyVerdict begin = decide_monotony(with_slope(f));
+    ASSERT_EQ(begin.kind, Monotony::none);
+    EXPECT_LT(Q(0), *begin.witness);
+    EXPECT_LT(f(*begin.witness), Q(0));
+    const Polynomial<Q> g(std::vector<Q>{Q(1) - tiny + bend, -Q(1) - Q(2) * bend, bend});
+    const MonotonyVerdict end = decide_monotony(with_slope(g));
+    ASSERT_EQ(end.kind, Monotony::none);
+    EXPECT_LT(*end.witness, Q(1));
+    EXPECT_LT(g(*end.witness), Q(0));
+  }
+}
+
+/// The same on a piece that is not [0, 1], between others.
+TEST(Monotony, TheWitnessIsInItsPiece) {
+  const Mapping<Q> sigma =
+      mapping_of(KnotList<Q>(2, {Q(0), Q(0), Q(3), Q(5), Q(9), Q(9)}), {Q(0), Q(3), Q(2), Q(4), Q(5)});
+  const MonotonyVerdict verdict = decide_monotony(sigma);
+  ASSERT_EQ(verdict.kind, Monotony::none);
+  EXPECT_LT(Q(0), *verdict.witness);
+  EXPECT_LT(*verdict.witness, Q(3));
+  EXPECT_LT(mapping_slope(sigma, *verdict.witness), Q(0));
+}
+
 TEST(Monotony, ConstantPiecesAreWeak) {
   const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(2), Q(3), Q(3)});
   const MonotonyVerdict verdict = decide_monotony(mapping_of(u, {Q(0), Q(1), Q(1), Q(1), Q(2)}));

@@ -39,6 +39,46 @@ TEST(RepairDistance, CountsByHand) {
   EXPECT_FALSE(distance_between(after, before).surfaces);
 }
 
+/// The largest coordinate is less than 1, and the box is not that of the first points.
+TEST(RepairDistance, OfSmallNets) {
+  const Point3 middle(q(1, 4), q(1, 4), q(1, 4));
+  const RuledRows before = polynomial({middle, Point3(Q(0), q(1, 2), Q(0)), middle},
+                                      {Point3(q(1, 2), Q(0), Q(0)), Point3(q(1, 2), q(1, 2), q(1, 2)), middle});
+  RuledRows after = before;
+  after.c.points[0][2] += repair::power_of_two(-50);  // 16 units of 1/4, 8 of 1/2
+  const NetDistance distance = distance_between(before, after);
+  EXPECT_EQ(distance.ulps, 16);
+  EXPECT_EQ(distance.ulps_of_largest, 8);
+  EXPECT_NEAR(distance.relative, std::ldexp(1, -50) / std::sqrt(3 / 4.0), 1e-28);
+  EXPECT_NEAR(distance.root_mean_square, std::ldexp(1, -50) / std::sqrt(6), 1e-28);
+}
+
+/// All points in one: there is no length to compare with, and no unit where all coordinates are 0.
+TEST(RepairDistance, OfNetsWithoutExtent) {
+  const RuledRows before = polynomial({2, Point3(Q(0), Q(0), Q(0))}, {2, Point3(Q(0), Q(0), Q(0))});
+  RuledRows after = before;
+  after.d.points[1] = Point3(Q(3), Q(4), Q(0));
+  const NetDistance distance = distance_between(before, after);
+  EXPECT_EQ(distance.largest, 5);
+  EXPECT_EQ(distance.relative, 0);
+  EXPECT_FALSE(distance.ulps);
+  EXPECT_EQ(distance.ulps_of_largest, 0);
+  const NetDistance same = distance_between(after, after);
+  EXPECT_EQ(same.ulps, 0);
+  EXPECT_EQ(same.largest, 0);
+}
+
+/// Points between which no control point lies are not bounded by those.
+TEST(RepairDistance, OfSurfacesWithNegativeWeightsIsNotKnown) {
+  RuledRows before = polynomial({Point3(Q(0), Q(0), Q(0)), Point3(Q(1), Q(0), Q(0))},
+                                {Point3(Q(0), Q(3), Q(0)), Point3(Q(1), Q(3), Q(0))});
+  before.c.weights[0] = Q(-1);
+  RuledRows after = before;
+  after.c.points[1][0] += Q(1);
+  EXPECT_EQ(distance_between(before, after).weights, 0);
+  EXPECT_FALSE(distance_between(before, after).surfaces);
+}
+
 /// A length that is over a double by less than 106 bits can tell.
 TEST(RepairDistance, IsRoundedUpwardsHoweverLittle) {
   const RuledRows before = polynomial({Point3(Q(0), Q(0), Q(0)), Point3(Q(1), Q(0), Q(0))},

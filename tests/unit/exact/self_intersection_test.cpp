@@ -281,22 +281,30 @@ TEST(SelfIntersection, ExactLooksAreRationed) {
   EXPECT_EQ(within(299), Truth::unknown);
 }
 
-/// A strip of two pieces, straight and then turning about: only parts of the second one are in order, the outermost of
-/// which ends on a ruling along its rail, and there only a look without rounding tells.
+/// A strip whose last piece turns about and whose others are straight: only parts of the last one are in order, the
+/// outermost of which ends on a ruling along its rail, and there only a look without rounding tells.
 TEST(SelfIntersection, ExactLooksAreAtTheRightPart) {
-  Row c = turned({{0, -12}, {0, -8}, {0, -4}, {0, 0}, {0, 4}, {-6, 4}, {-6, 0}});
-  Row d = turned({{-1, -12}, {-1, -8}, {-1, -4}, {-1, 0}, {0, 3}, {-5, 2}, {-6, -1}});
-  const KnotList<Q> u(3, {Q(0), Q(0), Q(0), Q(1), Q(1), Q(1), Q(2), Q(2), Q(2)});
-  EXPECT_EQ(crosses(u, c, d), Truth::no);
-  EXPECT_EQ(crosses(u, d, c), Truth::no);
-  // Turned further by 2^-70, the last ruling crosses those before it.
-  Row beyond = d;
-  beyond.back()[0] -= Q::from_double(0x1p-70) * ratio<Q>(3, 5);
-  beyond.back()[1] -= Q::from_double(0x1p-70) * ratio<Q>(4, 5);
-  EXPECT_NE(crosses(u, c, beyond), Truth::no);
-  std::ranges::reverse(c);
-  std::ranges::reverse(d);
-  EXPECT_EQ(crosses(u, c, d), Truth::no);
+  for (int straight = 1; straight <= 3; ++straight) {
+    std::vector<std::array<int, 2>> on_c{{0, 0}, {0, 4}, {-6, 4}, {-6, 0}}, on_d{{-1, 0}, {0, 3}, {-5, 2}, {-6, -1}};
+    std::vector<Q> knots(3, Q(straight + 1));
+    for (int i = 1; i <= 3 * straight; ++i) {
+      on_c.insert(on_c.begin(), {0, -4 * i});
+      on_d.insert(on_d.begin(), {-1, -4 * i});
+    }
+    for (int i = straight; i >= 0; --i) knots.insert(knots.begin(), 3, Q(i));
+    const KnotList<Q> u(3, knots);
+    Row c = turned(on_c), d = turned(on_d);
+    EXPECT_EQ(crosses(u, c, d), Truth::no);
+    EXPECT_EQ(crosses(u, d, c), Truth::no);
+    // Turned further by 2^-70, the last ruling crosses those before it.
+    Row beyond = d;
+    beyond.back()[0] -= Q::from_double(0x1p-70) * ratio<Q>(3, 5);
+    beyond.back()[1] -= Q::from_double(0x1p-70) * ratio<Q>(4, 5);
+    EXPECT_NE(crosses(u, c, beyond), Truth::no);
+    std::ranges::reverse(c);
+    std::ranges::reverse(d);
+    EXPECT_EQ(crosses(u, c, d), Truth::no);
+  }
 }
 
 /// A quarter of a cylinder in homogeneous rows.
@@ -326,11 +334,15 @@ TEST(SelfIntersection, ANegativeWeightLeadsOutOfTheHull) {
   wall(Q(6), Q(0), Q(6), Q(-20));
   wall(Q(6), Q(-20), place, Q(-20));
   wall(place, Q(-20), place, ratio<Q>(-428, 1000));
-  std::vector<Vec<Q, 4>> d = c;
-  for (Vec<Q, 4>& row : d) row[3] = row[0];
   std::vector<Q> knots;
   for (int i = 0; i < 15; ++i) knots.push_back(Q(i / 3));
-  EXPECT_EQ(find_self_intersection<4>(KnotList<Q>(3, knots), c, d).crosses, Truth::yes);
+  for (const Q& unit : {Q(1), ratio<Q>(1, 4), ratio<Q>(-1, 4)}) {
+    std::vector<Vec<Q, 4>> bottom = c;
+    for (Vec<Q, 4>& row : bottom) row = scaled(unit, row);
+    std::vector<Vec<Q, 4>> top = bottom;
+    for (Vec<Q, 4>& row : top) row[3] = row[0];
+    EXPECT_EQ(find_self_intersection<4>(KnotList<Q>(3, knots), bottom, top).crosses, Truth::yes) << unit.text();
+  }
 }
 
 }  // namespace
