@@ -38,6 +38,7 @@ TEST(Repair, FindsTheNetBehindErrors) {
       ASSERT_TRUE(found);
       EXPECT_TRUE(developable(sample.u, found->rows));
       EXPECT_EQ(name_of(found->family), name_of(sample.family));
+      EXPECT_EQ(found->degree > 0, found->family == NetFamily::edge);
       // The exact net without errors is in the family. Between points nothing of it is nearer but by the share of the
       // rounding, 1 %; between rows the distance counts weights too, which the errors left alone.
       EXPECT_LE(found->distance.root_mean_square, has_weights(sample.rows) ? 3 * error : 1.01 * error);
