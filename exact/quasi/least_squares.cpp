@@ -78,9 +78,8 @@ std::optional<DoubleSurface> fitted_surface(const KnotList<double>& u, const std
     const std::vector<double> basis = basis_at(u, k, forms, sample.t);
     Eigen::Matrix<double, 1, 6> rest;
     rest << sample.c.transpose(), sample.d.transpose();
-    for (int i = 0; i <= n; ++i) {
+    for (int i = 0; i <= n; ++i) {  // of c and d only the ends are not zero yet
       const std::size_t at = static_cast<std::size_t>(k - 1 + i);
-      if (at != 0 && at + 1 != c.size()) continue;
       rest.head<3>() -= basis[static_cast<std::size_t>(i)] * c[at].transpose();
       rest.tail<3>() -= basis[static_cast<std::size_t>(i)] * d[at].transpose();
     }

@@ -51,8 +51,6 @@ TEST(FittedSurface, ThatOfTheSpaceComesBack) {
   }
 }
 
-/// (t, |t|^m, 0) for t < 0 and (t, k t^m, 0) for t > 0: with the interval [-2, 0] on one side and [0, 1] on the other,
-/// in Bezier points of degree 2. The m-th derivative over m! jumps by k - (-1)^m.
 /// One piece of degree 1 has no point of its own: both ends are given, whatever the samples are.
 TEST(FittedSurface, OfEndsAlone) {
   const KnotList<double> u = bezier_knots<double>(1);
@@ -65,10 +63,20 @@ TEST(FittedSurface, OfEndsAlone) {
   }
 }
 
+TEST(Sampled, AsManyInEachPiece) {
+  const KnotList<double> u = knots_with(2, -1, 2, {{0, 1}});
+  const DoubleSurface surface = drawn_surface(u, 5);
+  const std::vector<SurfaceSample> samples = sampled(surface, 4);
+  const std::vector<double> expected{-0.875, -0.625, -0.375, -0.125, 0.25, 0.75, 1.25, 1.75};
+  ASSERT_EQ(samples.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_DOUBLE_EQ(samples[i].t, expected[i]);
+}
+
+/// On [-2, 0] and [0, 1], in Bezier points or, with a simple knot, in blossoms.
 TEST(RemovalCosts, AreJumpsOfTheFirstFreeDerivative) {
   const KnotList<double> twice = knots_with(2, -2, 1, {{0, 2}});
-  // Slopes -1 and k = 3 of the row c, of which the jump is 4; the row d is straight.
-  const std::vector<DoublePoint> c{{-2, 2, 0}, {-1, 1, 0}, {0, 0, 0}, {0.5, 1.5, 0}, {1, 3, 0}};
+  // t^2 - t and t^2 + 3 t in the row c: the slope jumps by 4 at 0; the row d is straight.
+  const std::vector<DoublePoint> c{{-2, 6, 0}, {-1, 1, 0}, {0, 0, 0}, {0.5, 1.5, 0}, {1, 4, 0}};
   const std::vector<DoublePoint> straight{{-2, 0, 1}, {-1, 0, 1}, {0, 0, 1}, {0.5, 0, 1}, {1, 0, 1}};
   for (const DoubleSurface& surface : {DoubleSurface(twice, c, straight), DoubleSurface(twice, straight, c)}) {
     const std::vector<double> costs = removal_costs(surface, {{0, 2}});
