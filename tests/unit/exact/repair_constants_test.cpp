@@ -132,6 +132,49 @@ TEST(RepairConstants, NoStartIsNearer) {
   }
 }
 
+/// The sum of squares of the equations for constants of length 1.
+template <int D>
+double residual(const BilinearSystem<Real>& system, const RealNet<D>& net, const std::vector<Real>& theta) {
+  Real sum, length;
+  for (const std::vector<Term<Real>>& equation : system.equations) {
+    for (int j = 0; j < D; ++j) {
+      Real value;
+      for (const Term<Real>& term : equation) {
+        value += term.coefficient * theta[term.constant] * net.points[term.point][j];
+      }
+      sum += value * value;
+    }
+  }
+  for (const Real& x : theta) length += x * x;
+  return (sum / length).to_double();
+}
+
+/// Stationary, the smallest first: the first is the least of all, the last the largest.
+TEST(RepairConstants, StartsAreInTheOrderOfTheirEquations) {
+  std::mt19937_64 rng(3);
+  RealNet<4> net;
+  const KnotList<Q> u = knots(2, {-1, -1, 0, 1, 1});
+  for (int i = 0; i < 2 * (u.last() + 1); ++i) {
+    Vec<Real, 4> x;
+    for (int j = 0; j < 4; ++j) x[j] = Real(static_cast<int>(rng() % 41) - 20);
+    net.points.push_back(x);
+    net.scale.push_back(Real(1));
+  }
+  const auto system = Relation<4>(u, net).system;
+  const std::vector<std::vector<Real>> starts = first_constants<4>(system, net);
+  ASSERT_EQ(starts.size(), 4U);
+  for (std::size_t i = 0; i + 1 < 4; ++i) {
+    EXPECT_LT(residual<4>(system, net, starts[i]), residual<4>(system, net, starts[i + 1])) << i;
+  }
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<Real> theta;
+    for (int m = 0; m < 4; ++m) theta.push_back(Real(static_cast<int>(rng() % 41) - 20));
+    if (trial < 4) theta = {Real(trial == 0), Real(trial == 1), Real(trial == 2), Real(trial == 3)};
+    EXPECT_LE(residual<4>(system, net, starts[0]), residual<4>(system, net, theta));
+    EXPECT_GE(residual<4>(system, net, starts[3]), residual<4>(system, net, theta));
+  }
+}
+
 /// 24 parts are tried, 25 are not.
 TEST(RepairConstants, TheMostPartsThatAreTried) {
   for (const int parts : {24, 25}) {
