@@ -10,6 +10,7 @@ namespace torse::testing {
 namespace {
 
 using nlohmann::json;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -136,6 +137,7 @@ TEST_F(Check, ReportsHoldEveryCaseAndAReplay) {
   EXPECT_THAT(xml, HasSubstr("name=\"a &lt;&amp;'&quot;b\""));
   EXPECT_THAT(xml, HasSubstr("replay: torse check"));
   EXPECT_THAT(xml, HasSubstr("name=\"flat\""));
+  EXPECT_THAT(xml, ContainsRegex("name=\"broken\"[^>]* time=\"0\\."));
   const json report = json::parse(slurp(sarif));
   EXPECT_EQ(report["version"], "2.1.0");
   const json& results = report["runs"][0]["results"];

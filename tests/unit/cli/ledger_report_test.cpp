@@ -113,6 +113,8 @@ TEST(LedgerReport, CasesForOtherTools) {
   EXPECT_EQ(passed.outcome, Outcome::passed);
   EXPECT_EQ(passed.message, "Proved (symbolic): for all");
   EXPECT_EQ(passed.seconds, 0.5);
+  EXPECT_EQ(passed.rule, "FJ07.15");
+  EXPECT_THAT(passed.rule_text, HasSubstr("every ruling"));
   EXPECT_EQ(ledger_case(fails(), {}).message, "Refuted (rational): a witness");
 }
 

@@ -111,6 +111,7 @@ TEST(Document, LimitsStopBeforeMemoryDoes) {
 TEST(Document, BlanksInARowAreLimited) {
   const std::string most(limits::blanks, '\n');
   EXPECT_EQ(error_of("[" + most + "x]").substr(0, 40), "f: line 1048577, column 1: expected JSON");
+  EXPECT_EQ(error_of(most + "x").substr(0, 40), "f: line 1048577, column 1: expected JSON");
   EXPECT_EQ(error_of("[" + most + " x]"),
             "f: line 1048577, column 1: expected at most 1048576 blanks in a row, found more");
 }

@@ -138,6 +138,15 @@ TEST(MeshFile, StlHasEveryTriangle) {
   }
 }
 
+/// Three corners on a line, two in one place, and a triangle whose square is no double.
+TEST(MeshFile, StlHasNoNormalWhereThereIsNone) {
+  TriangleMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {0, 1e200, 0}, {1e200, 0, 0}};
+  mesh.triangles = {{{{0, 0}, {1, 0}, {2, 0}}}, {{{0, 0}, {0, 0}, {2, 0}}}, {{{0, 0}, {3, 0}, {4, 0}}}};
+  const Bytes stl(stl_bytes({{"flat", mesh}}));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(stl.vector(84 + 50 * i), (MeshVector{0, 0, 0})) << i;
+}
+
 std::string from_base64(const std::string& text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -159,6 +168,7 @@ Triangles read_mesh(const json& gltf, const Bytes& buffer, std::size_t i) {
   const auto accessor = [&](const json& index) { return gltf.at("accessors").at(index.get<std::size_t>()); };
   const auto begin = [&](const json& a) {
     const json view = gltf.at("bufferViews").at(a.at("bufferView").get<std::size_t>());
+    EXPECT_EQ(view.at("buffer"), 0);
     EXPECT_LE(view.at("byteOffset").get<std::size_t>() + view.at("byteLength").get<std::size_t>(),
               buffer.text().size());
     return view.at("byteOffset").get<std::size_t>();

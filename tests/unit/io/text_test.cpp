@@ -32,5 +32,16 @@ TEST(Printable, ShowsBytesThatAreNoText) {
   EXPECT_EQ(printable("\xE2\x82x"), "\\xe2\\x82x");
 }
 
+/// Forty bytes, or fewer where a character would be cut.
+TEST(InQuotes, LongTextsEndBehindACharacter) {
+  const std::string forty(40, 'a');
+  EXPECT_EQ(in_quotes(forty), '"' + forty + '"');
+  EXPECT_EQ(in_quotes(forty + "b"), '"' + forty + "...\"");
+  EXPECT_EQ(in_quotes(forty + "\xC2\xB0"), '"' + forty + "...\"");
+  EXPECT_EQ(in_quotes(forty.substr(1) + "\xC2\xB0" + "b"), '"' + forty.substr(1) + "...\"");
+  EXPECT_EQ(in_quotes(forty.substr(2) + "\xE2\x82\xAC" + "b"), '"' + forty.substr(2) + "...\"");
+  EXPECT_EQ(in_quotes(forty.substr(3) + "\xE2\x82\xAC" + "b"), '"' + forty.substr(3) + "\xE2\x82\xAC...\"");
+}
+
 }  // namespace
 }  // namespace torse
