@@ -64,6 +64,19 @@ TEST_F(Iges, PolesKnotsAndWeightsAreTheDoublesOfTheText) {
   EXPECT_EQ(ruled.c.points[0][0], d(0.1));  // the double itself, no decimal
 }
 
+/// A name property comes before the label; blanks around it are not of the name.
+TEST_F(Iges, NamesArePropertiesWithoutTheirBlanks) {
+  IgesText iges;
+  const int name = iges.add(406, "1,11H  bow two  ", {.form = 15, .dependent = true});
+  const int c = iges.line("0.,0.,0.", "1.,0.,0.");
+  const int d = iges.line("0.,1.,0.", "1.,1.,0.");
+  iges.add(118, std::to_string(c) + "," + std::to_string(d) + ",0,1,0,1," + std::to_string(name),
+           {.form = 1, .label = "LABEL"});
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].name, "bow two");
+}
+
 TEST_F(Iges, TheDevelopableFlagIsAudited) {
   IgesText iges;
   const int flat = iges.line("0.,0.,0.", "1.,0.,0.");

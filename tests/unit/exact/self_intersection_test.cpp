@@ -261,6 +261,16 @@ TEST(SelfIntersection, ASeamIsNone) {
   }
 }
 
+/// Only one rail is closed: the last wall, which comes back to the start of c, ends with d elsewhere and goes through the
+/// first one, though both go on in the direction of x.
+TEST(SelfIntersection, OneClosedRailIsNoSeam) {
+  const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3), Q(4), Q(5)});
+  const Row c{point(0, 0, 0), point(5, 0, 0), point(5, 0, 9), point(-5, 0, 9), point(-5, 0, 0), point(0, 0, 0)};
+  const Row d{point(0, 5, 0), point(5, 5, 0), point(5, 5, 9), point(1, 5, 9), point(1, 5, 0), point(6, 5, 0)};
+  expect_witness(u, c, d);
+  expect_witness(u, d, c);
+}
+
 TEST(SelfIntersection, ABudgetThatRunsOutIsUnknown) {
   EXPECT_EQ(find_self_intersection<3>(bezier_knots<Q>(3), looped(), raised(looped(), Q(1)), 2).crosses, Truth::unknown);
 }
