@@ -32,7 +32,8 @@ Point nearest_on_triangle(const Point& p, const Point& q, const Point& r) {
   const Point foot = p.dot(normal) / normal.squaredNorm() * normal;
   const auto inside = [&](const Point& a, const Point& b) { return (b - a).cross(foot - a).dot(normal) >= 0; };
   if (inside(p, q) && inside(q, r) && inside(r, p)) return foot;
-  return std::ranges::min({nearest_on_edge(p, q), nearest_on_edge(q, r), nearest_on_edge(r, p)}, {}, &Point::norm);
+  const auto nearer = [](const Point& x, const Point& y) { return x.norm() < y.norm(); };
+  return std::min({nearest_on_edge(p, q), nearest_on_edge(q, r), nearest_on_edge(r, p)}, nearer);
 }
 
 /// Of a hull that does not contain 0.
