@@ -181,7 +181,7 @@ const PropertyInfo& StripCrossing::info() {
   static const PropertyInfo info{"strip.crossing",
                                  "rulings that cross by construction are never said not to, those that cannot are "
                                  "never said to, and the crossing that is named is one",
-                                 2,
+                                 4,
                                  {"onward=no", "tangents=no", "crossing=yes", "slide=yes", "fold=yes"},
                                  {"onward=no", "tangents=no", "crossing=yes", "slide=yes", "fold=yes"}};
   return info;
