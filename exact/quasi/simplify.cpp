@@ -169,7 +169,6 @@ std::optional<SimplifiedSurface> with_fewest_knots(const ExactSurface& surface, 
     if (!state) return std::nullopt;
     ExactSurface exact = exact_surface(*state, degree, surface);
     const Q square = largest_deviation(exact, surface);
-    if (tolerance * tolerance < square) continue;
     const double distance = root_above(square);
     if (std::isfinite(distance) && Q::from_double(distance) <= tolerance)
       return SimplifiedSurface{std::move(exact), distance};
