@@ -28,12 +28,12 @@ struct FormulaPlace {
 
 /// An operation, an input ('=') or a constant ('#').
 struct Operation {
-  char kind = '#';  ///< = # + - * / or n for a negation
-  int left = -1;    ///< the operands' numbers in the record; -1 for none
-  int right = -1;
-  double value = 0;  ///< what double gives
+  char kind;  ///< = # + - * / or n for a negation
+  int left;   ///< the operands' numbers in the record; -1 for none
+  int right;
+  double value;      ///< what double gives
   Rational exact;    ///< what the same operations give without rounding
-  int place = -1;    ///< in RecordScope::places, -1 outside of a formula
+  int place;         ///< in RecordScope::places, -1 outside of a formula
   std::string name;  ///< of an input
 };
 
