@@ -122,7 +122,7 @@ inline TriangleMesh mesh_of_strips(const RuledArcs& arcs, const std::vector<Mesh
   detail::MeshBuilder builder;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const bool same_piece = i > 0 && strips[i].piece == strips[i - 1].piece;
-    builder.add(strips[i], i > 0 && (same_piece || !arcs.pieces[strips[i].piece].kink_before));
+    builder.add(strips[i], same_piece || !arcs.pieces[strips[i].piece].kink_before);
   }
   return builder.take();
 }

@@ -99,6 +99,24 @@ TEST(MeshNormals, TheQuadranglesDiagonalsCount) {
   EXPECT_EQ(normal_at(mesh_of(line), line.c[0]), z_axis) << "any where they are parallel";
 }
 
+/// Two squares, the second with other normals: those of the first go on, unless a kink is between them.
+TEST(MeshNormals, AreTwoAtAKink) {
+  MeshStrip first = square();
+  first.c_normal = first.d_normal = {y_axis, z_axis};
+  MeshStrip second{.piece = 1, .c = {{{1, 0, 0}, {2, 0, 0}}}, .d = {{{1, 1, 0}, {2, 1, 0}}}};
+  second.c_normal = second.d_normal = {x_axis, y_axis};
+  const auto second_normal = [&](bool kink) {
+    RuledPiece piece;
+    piece.kink_before = kink;
+    const TriangleMesh mesh = mesh_of_strips({{RuledPiece{}, piece}, 0}, {first, second});
+    return mesh.normals[mesh.triangles[2][0].normal];
+  };
+  EXPECT_EQ(second_normal(false), z_axis);
+  EXPECT_EQ(second_normal(true), x_axis);
+  first.piece = 1;
+  EXPECT_EQ(second_normal(true), z_axis) << "the kink is before both";
+}
+
 /// A strip has two triangles, one where two of its corners are one point, none where it is a line.
 TEST(MeshTriangles, HaveThreePoints) {
   const MeshVector a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0}, d{1, 1, 0};
