@@ -65,8 +65,8 @@ class Fitter {
     fit_.curve.push_back({fit_.initial, 0});
     const int columns = std::clamp(options_.coefficients - options_.degree, least_columns, most_columns);
     const RulingGrid grid(rails_, columns, grid_rows, options_.kind);
-    start_from("path", held(follow_path(best_path(grid, options_.ends), identity)));
-    if (value_ >= fit_.initial) start_from("T = t", identity);
+    start_from("path", follow_path(best_path(grid, options_.ends), identity));
+    if (value_ > fit_.initial) start_from("T = t", identity);
     shift_steep_places();
     if (options_.adaptive) move_knots();
     if (options_.measure == Measure::max) lower_mean();
@@ -89,15 +89,6 @@ class Fitter {
   }
 
   double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
-  /// With the ends where fixed ones have to be.
-  std::vector<double> held(std::vector<double> beta) const {
-    if (options_.ends == Ends::fixed) {
-      beta.front() = 0;
-      beta.back() = 1;
-    }
-    return beta;
-  }
 
   Descent descend_from(const std::string& name, const Sampling& samples, std::vector<double> beta,
                        const DescentOptions& options) {
@@ -162,7 +153,7 @@ class Fitter {
     std::vector<double> beta;
     for (const double t : coefficients(identity_mapping(knots))) beta.push_back(mapping_value(now, t));
     const Sampling samples(rails_.c, knots, sample_parameters());
-    Descent descent = descend_from("moved knots", samples, held(std::move(beta)), descent_options());
+    Descent descent = descend_from("moved knots", samples, std::move(beta), descent_options());
     if (!(descent.value * degrees < worth_while * value_)) return;
     beta_ = std::move(descent.beta);
     knots_ = knots;

@@ -115,6 +115,7 @@ TEST(Fit, CoefficientsInOrderWithTheEndsAndTheNumberAskedFor) {
         options.degree = degree;
         options.coefficients = count;
         options.ends = ends;
+        options.adaptive = count == 17;
         const Fit fit = fit_rails(rails, options);
         const std::vector<double> beta = coefficients(fit.mapping);
         EXPECT_EQ(beta.size(), static_cast<std::size_t>(count));
@@ -178,6 +179,15 @@ TEST(Fit, StartsFromTheSameParameterOnlyWhereThePathIsWorse) {
     EXPECT_EQ(fit.stages.back().after < 0.99 * path.after, seed == 28);
     EXPECT_LT(fit.value, 1.02 * fit.stages.back().after);
   }
+}
+
+/// Rulings between parallel lines have no angle, whatever the mapping: the first descent is enough.
+TEST(Fit, StartsOnceWhereThereIsNothingToGain) {
+  const Fit fit = fit_rails(skew_rails(0), {});
+  EXPECT_EQ(fit.initial, 0);
+  EXPECT_EQ(fit.value, 0);
+  EXPECT_EQ(std::ranges::count(fit.stages, "path", &FitStage::start), 1);
+  EXPECT_EQ(std::ranges::count(fit.stages, "T = t", &FitStage::start), 0);
 }
 
 Fit sides_fit(std::uint64_t seed, Measure measure, int coefficients) {
