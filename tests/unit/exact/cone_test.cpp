@@ -87,5 +87,27 @@ TEST(Cone, ItsRatioIsTheSimplestThatIsNearEnough) {
   }
 }
 
+/// The best offset for a ratio is that of the means, d - alpha c. Each of its coordinates is rounded by a 128th of the
+/// distance of a point in the mean, or less.
+TEST(Cone, ItsOffsetIsTheBestForItsRatioButForRounding) {
+  std::mt19937_64 rng(2);
+  for (const double wanted : {0.3, 0.5, 0.7}) {
+    const RealNet<3> net = noisy_cone(wanted, rng);
+    const Candidate<3> candidate = cone_candidate(net);
+    const auto exact = candidate.realise();
+    ASSERT_TRUE(exact);
+    const double alpha = (((*exact)[3][0] - (*exact)[1][0]) / ((*exact)[2][0] - (*exact)[0][0])).to_double();
+    const auto count = static_cast<double>(net.size());
+    const double allowed = std::sqrt(candidate.squared.to_double() / count) / 128;
+    for (int j = 0; j < 3; ++j) {
+      double best = 0;
+      for (std::size_t i = 0; i < net.size(); i += 2) {
+        best += 2 / count * (net.points[i + 1][j].to_double() - alpha * net.points[i][j].to_double());
+      }
+      EXPECT_NEAR((*exact)[1][j].to_double() - alpha * (*exact)[0][j].to_double(), best, allowed);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace torse::repair

@@ -102,18 +102,21 @@ TEST(PlateArea, IsPositiveForEitherOrientation) {
 }
 
 /// Two planes, 60 degrees apart. Both rails come to rest at the joint, C = (2 - 2(1-t)^2, ...), so that they have no
-/// speed there that could tell of the sides.
+/// speed there that could tell of the sides. The angle is that of a sheet of any size.
 TEST(PlateBends, AtAJointWhereTheRailsStandStill) {
-  const double root = std::sqrt(3.0);
   const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2)});
-  const Rows p = rows({{0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {2.5, 0, root / 2}, {3, 0, root}});
-  const Rows q = rows({{0, 1, 0}, {2, 1, 0}, {2, 1, 0}, {2.5, 1, root / 2}, {3, 1, root}});
-  const auto strips = piece_strips(u, p, q);
-  const Plate plate = unroll_plate(strips, {1e-4, ruling_marks(u, strips, 2), 0, false});
-  EXPECT_NEAR(plate.width, 4, 1e-6);
-  const auto joint = std::ranges::find(plate.rulings, Q(1), &PlateRuling::t);
-  ASSERT_NE(joint, plate.rulings.end());
-  EXPECT_NEAR(joint->bend, 60, 1e-9);
+  for (const double size : {1.0, 0x1p-300}) {
+    const double root = size * std::sqrt(3.0);
+    const auto rail = [&](double y) {
+      return rows({{0, y, 0}, {2 * size, y, 0}, {2 * size, y, 0}, {2.5 * size, y, root / 2}, {3 * size, y, root}});
+    };
+    const auto strips = piece_strips(u, rail(0), rail(size));
+    const Plate plate = unroll_plate(strips, {1e-4 * size, ruling_marks(u, strips, 2), 0, false});
+    EXPECT_NEAR(plate.width / size, 4, 1e-6);
+    const auto joint = std::ranges::find(plate.rulings, Q(1), &PlateRuling::t);
+    ASSERT_NE(joint, plate.rulings.end());
+    EXPECT_NEAR(joint->bend, 60, 1e-9);
+  }
 }
 
 }  // namespace

@@ -168,6 +168,22 @@ TEST(RepairStart, IsTheSameForMirroredNets) {
   EXPECT_NEAR(reversed.remainder().to_double() / expected, 1, 1e-12);
 }
 
+/// The lines c = t (0, 1, 1) and d = c + 3 (t - t_0) (1, 0, 0) meet at t_0, one of the parameters where the edge is
+/// traced: there it may come to no point at all (for t_0 = 1/8 it does), and the others are to tell.
+TEST(RepairStart, RailsMayMeet) {
+  constexpr int samples = 12;
+  for (int i = 0; i < samples; ++i) {
+    const Q meet = q(2 * i + 1, 2 * samples);
+    RealNet<3> net;
+    for (const Q& t : {q(0), q(1)}) {
+      const Real x = Real::from_rational(t), along = Real::from_rational(q(3) * (t - meet));
+      net.points.insert(net.points.end(), {Vec<Real, 3>(Real(0), x, x), Vec<Real, 3>(along, x, x)});
+      net.scale.insert(net.scale.end(), {Real(1), Real(1)});
+    }
+    EXPECT_TRUE(traced_constants<3>(bezier_knots<Q>(1), net, {0, q(0), q(1), false})) << i;
+  }
+}
+
 /// Over a short and a long domain and for large and small sigma. The constants take no more digits than that needs.
 TEST(RepairCandidates, ConstantsAreNearAndSimple) {
   std::mt19937_64 rng(2);

@@ -118,6 +118,21 @@ TEST(RepairParts, BandedAndDenseEquationsAgree) {
   EXPECT_FALSE(solve_positive(a, right));
 }
 
+/// The pivots of ((4, 2), (2, x)) are 4 and x - 1: any one above 0 will do, none below or at 0.
+TEST(RepairParts, EquationsThatAreNotDefiniteHaveNoSolution) {
+  const auto solved = [](const Real& x) {
+    Matrix a = zero_matrix(2);
+    a[0][0] = Real(4);
+    a[0][1] = a[1][0] = Real(2);
+    a[1][1] = x;
+    return solve_positive(a, {Real(1), Real(1)}).has_value();
+  };
+  const Real little = Real::from_rational(power_of_two(-200));
+  EXPECT_TRUE(solved(Real(1) + little));
+  EXPECT_FALSE(solved(Real(1)));
+  EXPECT_FALSE(solved(Real(1) - little));
+}
+
 /// The derivative of the squared distance by difference quotients, against the projection's slope.
 template <int D, class Project>
 void expect_slope(const Project& projected, const std::vector<Real>& theta) {

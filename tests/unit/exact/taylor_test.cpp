@@ -208,6 +208,13 @@ TEST(BreakingStep, EnclosesWhatChanges) {
     EXPECT_TRUE(contains(*ball, -value));
     EXPECT_FALSE(contains(*ball, Q(4) * value));
   }
+  EXPECT_NE(arb_contains(step.length_c.get(), acb_realref(step.chord.get())), 0);
+  for (const int angle : {0, 1, 2, 3}) {  // the direction of the chord is not known
+    arb::Complex chord;
+    acb_set_arb(chord.get(), arb::real(exact.length_c, bits).get());
+    for (int i = 0; i < angle; ++i) acb_mul_onei(chord.get(), chord.get());
+    EXPECT_NE(acb_contains(step.chord.get(), chord.get()), 0) << angle;
+  }
   const Fan fan{3};
   const Q half = Q(1) / Q(2), end = half + Q(1) / Q(64);
   const Step turning = breaking_step(Stretch(fan.forms(), half, end, true));
