@@ -74,7 +74,7 @@ std::string name_of(const Entity& entity) {
     if (const auto name = as<IGESBasic_Name>(properties.Value()); !name.IsNull()) return trimmed_text(name->Value());
   }
   std::string name = trimmed_text(entity->ShortLabel());
-  const int subscript = entity->HasSubScriptNumber() ? entity->SubScriptNumber() : 0;
+  const int subscript = entity->SubScriptNumber();  // 0 for none
   if (!name.empty() && subscript > 0) name += "(" + std::to_string(subscript) + ")";
   return name;
 }

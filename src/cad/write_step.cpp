@@ -119,12 +119,6 @@ TopoDS_Face face_of(const CadSheet& sheet) {
   return BRepBuilderAPI_MakeFace(surface_of(sheet), Precision::Confusion()).Face();
 }
 
-/// Interface_FloatWriter drops exponents where it drops zeros, so all 17 digits stand.
-void write_all_digits(StepData_StepWriter& writer) {
-  writer.FloatWriter().SetFormat("%.16E");
-  writer.FloatWriter().SetZeroSuppress(false);
-}
-
 void set_names(const Handle(StepData_StepModel) & model, const CadSheets& sheets) {
   std::size_t next = 0;
   for (int i = 1; i <= model->NbEntities(); ++i) {
@@ -170,7 +164,7 @@ std::string write_step(const CadSheets& sheets) {
   set_names(model, sheets);
   set_header(model);
   StepData_StepWriter text(model);
-  write_all_digits(text);
+  text.FloatWriter().SetFormat("%.16E");  // all 17 digits; where zeros are dropped, exponents are too
   text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
   std::ostringstream bytes;
   if (!text.Print(bytes)) throw Unwritable("OpenCASCADE does not write it");

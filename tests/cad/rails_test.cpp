@@ -204,6 +204,15 @@ TEST_F(CadRails, CompositeCurvesAreJoined) {
   EXPECT_EQ(at(input.rails.c, u.piece_end(u.proper_pieces().front())), Point(Q(1), Q(0), Q(0)));
 }
 
+TEST_F(CadRails, WithoutUnitsLengthsAreMillimetres) {
+  StepText step("");
+  const std::string c = chine(step);
+  const std::string d = sheer(step);
+  const InputRails input = cli::read_input_rails({.file = file("rails.step", step.file({c, d}, false))});
+  EXPECT_EQ(input.unit.name, "mm");
+  EXPECT_EQ(input.rails.c.net.points[1], Point(Q(1), exact(0.4), exact(0.2)));
+}
+
 TEST_F(CadRails, AreFittedInTheirUnit) {
   StepText step("m");
   const std::string c = chine(step);

@@ -281,6 +281,16 @@ TEST_F(Step, UnitsAreTheFilesOwn) {
   }
 }
 
+TEST_F(Step, WithoutUnitsLengthsAreMillimetres) {
+  StepText step("");
+  const std::string surface = step.spline("", 1, 1, {{"0.1,0.,0.", "0.,1.,0."}, {"1.,0.,0.", "1.,1.,0."}}, unit_knots);
+  const auto read = faces(step.file({surface}, false));
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].cad->unit, "mm");
+  EXPECT_EQ(read[0].cad->tolerance, 0);
+  EXPECT_EQ(read[0].surface->c.points[0][0], Rational::from_double(0.1));
+}
+
 TEST_F(Step, ElementaryFacesAreInTheFilesUnitToo) {
   for (const char* unit : {"mm", "m", "inch"}) {
     StepText step(unit);

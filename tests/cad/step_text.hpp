@@ -10,8 +10,12 @@ namespace torse::testing {
 /// Entities #1, #2, ... of one file. The unit is that of the only context.
 class StepText {
  public:
-  /// `unit` is "mm", "m" or "inch".
+  /// `unit` is "mm", "m" or "inch", or empty for none.
   explicit StepText(const std::string& unit = "mm") {
+    if (unit.empty()) {
+      context_ = add("(GEOMETRIC_REPRESENTATION_CONTEXT(3) REPRESENTATION_CONTEXT('',''))");
+      return;
+    }
     const std::string metric = unit == "m" ? "SI_UNIT($,.METRE.)" : "SI_UNIT(.MILLI.,.METRE.)";
     std::string length = add("(LENGTH_UNIT() NAMED_UNIT(*) " + metric + ")");
     if (unit == "inch") {
