@@ -17,6 +17,7 @@
 #include "torse/exact/quasi/nearest_in_hull.hpp"
 #include "torse/exact/quasi/ruling_order.hpp"
 #include "torse/exact/quasi/strip_crossing.hpp"
+#include "torse/exact/quasi/unit_rows.hpp"
 #include "torse/exact/warp/quotient.hpp"
 #include "torse/scalar/builtin.hpp"
 #include "torse/spline/insertion.hpp"
@@ -114,28 +115,26 @@ void split(Part& part) {
 }
 
 std::vector<Box> boxes_of(const FormVector<Q>& forms) {
-  std::vector<Box> boxes(static_cast<std::size_t>(forms[0].degree()) + 1);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Bernstein<Q> f = Bernstein<Q>::from_form(forms[k]);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      boxes[i][static_cast<int>(k)] = enclosure(f[static_cast<int>(i)]);
-    }
+  std::vector<Vec<Q, 3>> rows(static_cast<std::size_t>(forms[0].degree()) + 1);
+  for (int k = 0; k < 3; ++k) {
+    const Bernstein<Q> f = Bernstein<Q>::from_form(forms[static_cast<std::size_t>(k)]);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i][k] = f[static_cast<int>(i)];
   }
+  bring_to_one(rows, 3);
+  std::vector<Box> boxes;
+  for (const Vec<Q, 3>& x : rows) boxes.push_back({enclosure(x[0]), enclosure(x[1]), enclosure(x[2])});
   return boxes;
 }
 
 template <int D>
-Homogeneous homogeneous_box(const Vec<Q, D>& x) {
-  Homogeneous row;
-  if constexpr (D == 3) row[0] = Interval(1);
-  for (int k = 0; k < D; ++k) row[k + 4 - D] = enclosure(x[k]);
-  return row;
-}
-
-template <int D>
 std::vector<Homogeneous> bezier_boxes(const KnotList<Q>& u, std::span<const Vec<Q, D>> row, int k) {
+  std::vector<Vec<Q, D>> points = bezier_points(u, row, k);
+  if constexpr (D == 4) bring_to_one(points, 1);
   std::vector<Homogeneous> boxes;
-  for (const Vec<Q, D>& x : bezier_points(u, row, k)) boxes.push_back(homogeneous_box<D>(x));
+  for (const Vec<Q, D>& x : points) {
+    boxes.emplace_back(Interval(1), Interval(), Interval(), Interval());
+    for (int j = 0; j < D; ++j) boxes.back()[j + 4 - D] = enclosure(x[j]);
+  }
   return boxes;
 }
 

@@ -261,8 +261,8 @@ TEST(SelfIntersection, ASeamIsNone) {
   }
 }
 
-/// Only one rail is closed: the last wall, which comes back to the start of c, ends with d elsewhere and goes through the
-/// first one, though both go on in the direction of x.
+/// Only one rail is closed: the last wall, which comes back to the start of c, ends with d elsewhere and goes through
+/// the first one, though both go on in the direction of x.
 TEST(SelfIntersection, OneClosedRailIsNoSeam) {
   const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3), Q(4), Q(5)});
   const Row c{point(0, 0, 0), point(5, 0, 0), point(5, 0, 9), point(-5, 0, 9), point(-5, 0, 0), point(0, 0, 0)};
@@ -324,6 +324,30 @@ TEST(SelfIntersection, RationalStrips) {
   const Row4 c{row(1, 1, 0, 0), row(1, 1, 1, 0), row(2, 0, 2, 0)};
   const Row4 d{row(1, 1, 0, 1), row(1, 1, 1, 1), row(2, 0, 2, 2)};
   EXPECT_EQ(find_self_intersection<4>(bezier_knots<Q>(2), c, d).crosses, Truth::no);
+}
+
+/// A factor of all rows changes no point, however tiny or huge it is.
+TEST(SelfIntersection, FactorsOfHomogeneousRowsDoNotMatter) {
+  using Row4 = std::vector<Vec<Q, 4>>;
+  const auto strip = [](const std::vector<std::array<int, 4>>& numbers, const Q& factor) {
+    Row4 rows;
+    for (const auto& [w, x, y, z] : numbers) rows.push_back(Vec<Q, 4>(Q(w), Q(x), Q(y), Q(z)) * factor);
+    return rows;
+  };
+  for (const double factor : {0x1p-900, 0x1p-400, 0x1p900}) {
+    const auto crosses = [&](const std::vector<std::array<int, 4>>& c, const std::vector<std::array<int, 4>>& d) {
+      return find_self_intersection<4>(bezier_knots<Q>(2), strip(c, Q::from_double(factor)),
+                                       strip(d, Q::from_double(factor)))
+          .crosses;
+    };
+    EXPECT_EQ(crosses({{1, 1, 0, 0}, {1, 1, 1, 0}, {2, 0, 2, 0}}, {{1, 1, 0, 1}, {1, 1, 1, 1}, {2, 0, 2, 2}}),
+              Truth::no)
+        << factor;
+    // From x = t to x = 1 - t.
+    EXPECT_EQ(crosses({{1, 0, 0, 0}, {2, 1, 0, 0}, {1, 1, 0, 0}}, {{1, 1, 1, 0}, {2, 1, 2, 0}, {1, 0, 1, 0}}),
+              Truth::yes)
+        << factor;
+  }
 }
 
 /// With a negative weight the first arc leaves the hull of its control points, which lie at y >= 0: it comes down to y
