@@ -75,7 +75,7 @@ Point nearest_in_hull(const std::function<Point(const Point&)>& lowest, double g
     if (corral.full() || x.dot(worst) > good * x.squaredNorm()) return x;
     corral.take_in(worst);
     const Point nearer = corral.nearest();
-    if (nearer.squaredNorm() >= x.squaredNorm()) return x;
+    if (!(nearer.squaredNorm() < x.squaredNorm())) return x;  // or one is no number
     x = nearer;
   }
 }

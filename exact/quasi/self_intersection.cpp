@@ -88,6 +88,8 @@ struct Part {
   std::vector<Box> hull{};
   std::array<std::unique_ptr<Part>, 2> halves{};
 
+  double size = 0;  ///< the largest coordinate in the hull
+
   bool within_hull = true;  ///< the weights of either rail have one sign, so that it lies in the hull of its points
 
   void close() {
@@ -98,6 +100,7 @@ struct Part {
       if (!within_hull) return;
       for (const Homogeneous& x : *row) hull.push_back({x[1] / x[0], x[2] / x[0], x[3] / x[0]});
     }
+    for (const Box& x : hull) size = std::max(size, middle(x).lpNorm<Eigen::Infinity>());
   }
 };
 
@@ -162,7 +165,8 @@ bool separated(const Part& x, const Part& y) {
   const auto lowest = [](const Part& part, const Direction& e) {
     return middle(*std::ranges::min_element(part.hull, {}, [&](const Box& point) { return e.dot(middle(point)); }));
   };
-  const auto lowest_way = [&](const Direction& e) { return Direction(lowest(x, e) - lowest(y, -e)); };
+  const double unit = std::max(x.size, y.size);  // squares of lengths are no zeros and not infinite
+  const auto lowest_way = [&](const Direction& e) { return Direction(lowest(x, e) / unit - lowest(y, -e) / unit); };
   return separated_along(x, y, nearest_in_hull(lowest_way, good));
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace torse::test {
@@ -102,6 +103,13 @@ TEST(NearestInHull, IsAsGoodAsAsked) {
     if (x.norm() > 1.001 * distance(points)) ++rough;
   }
   EXPECT_GT(rough, 30);
+}
+
+TEST(NearestInHull, EndsWhereNumbersAreNone) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double x : {infinite, -infinite, infinite - infinite, 1e200, 1e-200}) {
+    nearest({Point(x, 1, 0), Point(1, x, 0), Point(-x, 2, 1), Point(1, 1, 1)}, 0.5);
+  }
 }
 
 }  // namespace

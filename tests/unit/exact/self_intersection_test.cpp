@@ -350,6 +350,20 @@ TEST(SelfIntersection, FactorsOfHomogeneousRowsDoNotMatter) {
   }
 }
 
+/// A tube whose last wall goes through its first one, and one whose last wall ends before it.
+TEST(SelfIntersection, SizesDoNotMatter) {
+  const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3), Q(4)});
+  for (const double size : {0x1p-900, 0x1p-300, 1.0, 0x1p300, 0x1p900}) {
+    const auto tube = [&](int end) {
+      Row base{point(0, 0, 0), point(2, 0, 0), point(2, 2, 0), point(1, 2, 0), point(1, end, 0)};
+      for (Point& x : base) x = x * Q::from_double(size);
+      return crosses(u, base, raised(base, Q::from_double(size)));
+    };
+    EXPECT_EQ(tube(-1), Truth::yes) << size;
+    EXPECT_EQ(tube(1), Truth::no) << size;
+  }
+}
+
 /// With a negative weight the first arc leaves the hull of its control points, which lie at y >= 0: it comes down to y
 /// = -0.857 near x = 2.94. The last wall, at x = 2.94 from y = -20 up to -0.428, goes through it.
 TEST(SelfIntersection, ANegativeWeightLeadsOutOfTheHull) {
