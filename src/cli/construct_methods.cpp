@@ -1,11 +1,13 @@
 // From the input of `torse construct` to the library's constructions.
 #include "torse/cli/construct_methods.hpp"
+
 #include "torse/exact/decide/words.hpp"
 
 #include <span>
 #include <string>
 #include <utility>
 
+#include "torse/cli/command.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/developable/linear_net.hpp"
 #include "torse/developable/special.hpp"
@@ -120,6 +122,7 @@ Construction tangent(const ConstructFile<Q>& input) {
 }  // namespace
 
 Construction construct_surface(const ConstructFile<Q>& input, int branch) {
+  if (branch != 1 && input.method != "interpolate") throw UsageError("--branch is for the method interpolate");
   if (input.method == "rational") return linear(input, *input.lambda, *input.m, *input.sigma, *input.omega0);
   if (input.method == "cylinder") return cylinder(input);
   if (input.method == "cone") return cone(input);

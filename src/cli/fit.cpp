@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,7 +41,7 @@ struct FitCommand {
   bool regular = false;
   std::string picture;
   std::vector<std::string> plates;
-  std::string extend = "0.1";
+  std::optional<std::string> extend;
   std::string within;
   std::string simplest = "points";
   std::string max_warp;
@@ -59,6 +60,9 @@ T choice(const char* option, const std::string& word, const std::array<std::pair
   throw UsageError(fmt::format("{}: expected {}, found {}{}", option, fmt::join(words, ", "), in_quotes(word),
                                suggestion(word, words)));
 }
+
+/// How far extended rails go on where --extend does not say it.
+constexpr const char* usual_extension = "0.1";
 
 Rational read_share(const std::string& text) {
   try {
@@ -103,7 +107,11 @@ FitWishes wishes_of(const FitCommand& command) {
                                  command.degree, command.coefficients));
   }
   if (!command.max_warp.empty()) wishes.max_warp = read_angle(command.max_warp);
-  if (command.ends == "extended") wishes.extension = read_share(command.extend);
+  if (command.ends == "extended") {
+    wishes.extension = read_share(command.extend.value_or(usual_extension));
+  } else if (command.extend) {
+    throw UsageError("--extend is for --ends extended");
+  }
   const Simplest few = choice("--simplest", command.simplest, simplest);
   if (!command.within.empty()) wishes.within = {read_length(command.within), few};
   return wishes;
@@ -163,7 +171,7 @@ std::vector<std::string> replay_words(const FitCommand& command) {
                                  std::to_string(command.degree),
                                  "--coefficients",
                                  std::to_string(command.coefficients)};
-  if (command.ends == "extended") words.insert(words.end(), {"--extend", command.extend});
+  if (command.ends == "extended") words.insert(words.end(), {"--extend", command.extend.value_or(usual_extension)});
   if (!command.within.empty()) {
     words.insert(words.end(), {"--within", command.within, "--simplest", command.simplest});
   }
@@ -260,7 +268,7 @@ std::function<int()> define_fit(CLI::App& app) {
                  "rails go on beyond their ends, the strip is cut off at the old ones")
       ->capture_default_str();
   app.add_option("--extend", command->extend, "how far extended rails go on, as a share of their parameters")
-      ->capture_default_str()
+      ->default_str(usual_extension)
       ->type_name("SHARE");
   app.add_option("--degree", command->degree, "of the mapping")->capture_default_str()->check(CLI::Range(1, 10));
   app.add_option("--coefficients", command->coefficients, "of the mapping")
@@ -270,11 +278,13 @@ std::function<int()> define_fit(CLI::App& app) {
   app.add_flag("--regular", command->regular,
                "count angles beyond 90 degrees, where the surface folds over, as what they are");
   app.add_flag("--reverse", command->input.reverse, "take the second rail from its end to its begin");
-  app.add_option("--within", command->within, "a simpler surface is enough, off by at most LENGTH in the rails' unit")
-      ->type_name("LENGTH");
+  CLI::Option* within = app.add_option("--within", command->within,
+                                       "a simpler surface is enough, off by at most LENGTH in the rails' unit")
+                            ->type_name("LENGTH");
   app.add_option("--simplest", command->simplest, "what it has few of: control points, knots or its degree is low")
       ->capture_default_str()
-      ->type_name("points|knots|degree");
+      ->type_name("points|knots|degree")
+      ->needs(within);
   app.add_option("--max-warp", command->max_warp, "exit code 1 if the certified largest warp angle exceeds ANGLE")
       ->type_name("ANGLE");
   app.add_option("--svg", command->picture,

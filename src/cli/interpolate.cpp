@@ -88,6 +88,12 @@ std::string branch_note(std::size_t number, const RealRoot& root, bool chosen) {
   return fmt::format("branch {}: M* = {}{}", number, value, chosen ? "  <- written" : "");
 }
 
+void require_branch(int branch, int count) {
+  if (branch >= 1 && branch <= count) return;
+  throw UsageError("--branch: expected " + (count == 1 ? "1" : fmt::format("a number from 1 to {}", count)) +
+                   fmt::format(", found {}", branch));
+}
+
 /// Skew end rulings, FJ07.20-21.
 Construction skew(const ConstructFile<Q>& input, int branch) {
   if (input.knots.last() > last_index_limit) {
@@ -97,9 +103,7 @@ Construction skew(const ConstructFile<Q>& input, int branch) {
   require_branches(input);
   const std::vector<RealRoot> roots = find_branches(input);
   if (roots.empty()) throw NoSolution("no branch: every real root of the polynomial in M* is a knot, or there is none");
-  if (branch < 1 || branch > static_cast<int>(roots.size())) {
-    throw UsageError(fmt::format("--branch: expected a number from 1 to {}, found {}", roots.size(), branch));
-  }
+  require_branch(branch, static_cast<int>(roots.size()));
   const std::size_t chosen = static_cast<std::size_t>(branch) - 1;
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < roots.size(); ++i) notes.push_back(branch_note(i + 1, roots[i], i == chosen));
@@ -131,10 +135,10 @@ Construction interpolate(const ConstructFile<Q>& input, int branch) {
                                             input.knots.degree()));
   }
   const Point3 normal = cross(*input.va, *input.vb);
-  if (zero(normal)) return parallel(input);
   const Point3 chord = difference(input.c.points.back(), input.c.points.front());
-  if (dot(chord, normal).sign() == 0) return meeting(input, chord, normal);
-  return skew(input, branch);
+  if (dot(chord, normal).sign() != 0) return skew(input, branch);
+  require_branch(branch, 1);
+  return zero(normal) ? parallel(input) : meeting(input, chord, normal);
 }
 
 }  // namespace torse::cli

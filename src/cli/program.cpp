@@ -70,6 +70,16 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   return exit_code::unusable;
 }
 
+/// Throws UsageError for an option with an empty value, which a shell makes of a variable that is not set: a limit
+/// would be dropped without a word.
+void require_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (std::ranges::count(option->results(), std::string()) == 0) continue;
+    throw UsageError(option->get_name() + ": expected a value, found an empty one");
+  }
+  for (const CLI::App* used : app.get_subcommands()) require_values(*used);
+}
+
 int run(std::vector<std::string> words) {
   CLI::App app("Construct, check and prove developable ruled spline surfaces in exact arithmetic.", "torse");
   app.set_version_flag("--version", std::string("torse ") + version, "print the version");
@@ -90,6 +100,7 @@ int run(std::vector<std::string> words) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return report_usage(app, error);
   }
+  require_values(app);
   for (const auto& [sub, action] : actions) {
     if (sub->parsed()) return action();
   }

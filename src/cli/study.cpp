@@ -131,13 +131,25 @@ int run_design(const StudyOptions& options) {
   return summary.above_bound > 0 ? exit_code::refuted : exit_code::success;
 }
 
-int run_words(const StudyOptions& options) {
+/// Throws UsageError for an option that was given and is not one of these.
+void require_only(const CLI::App& app, const std::vector<std::string>& known) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || option->get_positional() || std::ranges::count(known, name) > 0) continue;
+    throw UsageError(name + " is for studies: torse study NAME " + name);
+  }
+}
+
+int run_words(const CLI::App& app, const StudyOptions& options) {
   if (options.name == "autopsy") {
     if (options.file.empty()) throw UsageError("torse study autopsy: expected a file");
+    require_only(app, {"--route", "--json"});
     return print_autopsy(options.file, options.route, options.json);
   }
   if (!options.file.empty()) throw UsageError("unexpected word " + command_line({options.file}));
+  if (app.count("--route") > 0) throw UsageError("--route is for torse study autopsy");
   if (options.name == "list") {
+    require_only(app, {});
     print_list();
     return exit_code::success;
   }
@@ -167,7 +179,7 @@ std::function<int()> define_study(CLI::App& app) {
   app.add_option("--threads", options->threads, "how many threads; the results do not depend on it")
       ->check(CLI::Range(1U, 256U))
       ->capture_default_str();
-  return [options] { return run_words(*options); };
+  return [&app, options] { return run_words(app, *options); };
 }
 
 }  // namespace torse::cli
