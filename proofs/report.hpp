@@ -18,7 +18,7 @@ std::string json_report(const std::vector<Entry>& entries, const Plan& plan);
 std::string ledger(const std::vector<Entry>& entries, const Plan& plan);
 
 /// What got worse since the earlier report or ledger `baseline` (JSON text): claims that lost their status. Claims that
-/// were not run now are passed over; `complete` tells that all were, so that a missing one counts. Throws Error with
+/// were not run now, or not by the engine that had earned the status, are passed over, unless they are refuted; `complete` tells that all were, so that a missing one counts. Throws Error with
 /// the reason if `baseline` is not such a report.
 std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, bool complete);
 

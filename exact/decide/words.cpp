@@ -3,8 +3,38 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace torse {
+namespace {
+
+std::string formatted(const char* format, int digits, double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, format, digits, x);
+  return buffer;
+}
+
+double read(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+
+/// The nearest decimal number with so many digits, one unit of its last digit further.
+std::string next_decimal(double x, int digits, int direction) {
+  const std::string scientific = formatted("%.*e", 16, x);
+  const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
+  return formatted("%.*g", digits,
+                   read(formatted("%.*g", digits, x)) + direction * std::pow(10.0, exponent + 1 - digits));
+}
+
+}  // namespace
+
+std::string decimal_above(double x, int digits) {
+  const std::string nearest = formatted("%.*g", digits, x);
+  return read(nearest) >= x ? nearest : next_decimal(x, digits, 1);
+}
+
+std::string decimal_below(double x, int digits) {
+  const std::string nearest = formatted("%.*g", digits, x);
+  return read(nearest) <= x ? nearest : next_decimal(x, digits, -1);
+}
 
 std::string short_number(const Rational& x) {
   constexpr std::size_t longest_bits = 80;

@@ -26,6 +26,7 @@ Box widened(const Box& point) {
 /// What the boxes of a claim have shown so far.
 struct Tally {
   double widest = 0;
+  long bounded = 0;
   long wide = 0;  ///< differences that are not finite: a division by a ball around zero
   long positive = 0;
   long unsure = 0;
@@ -37,7 +38,10 @@ void look_at(const Equations<Box>& equations, Tally& tally) {
     const Box rest = equation.lhs - equation.rhs;
     if (!rest.is_finite()) {
       ++tally.wide;
-    } else if (!rest.contains_zero()) {
+      continue;
+    }
+    ++tally.bounded;
+    if (!rest.contains_zero()) {
       tally.refutation = as_text(equation.lhs) + " against " + as_text(equation.rhs);
     } else {
       tally.widest = std::max(tally.widest, rest.radius());
@@ -85,6 +89,11 @@ Finding run_ball(std::size_t index, const Plan& plan) {
       }
     }
     finding.sizes.push_back(size);
+  }
+  if (tally.wide > 0 && tally.bounded == 0) {
+    finding.status = Status::gave_up;
+    finding.detail = "no difference is bounded";
+    return finding;
   }
   char text[160];
   if (tally.positive + tally.unsure > 0) {

@@ -136,8 +136,8 @@ Finding run_modular(std::size_t index, const Plan& plan) {
   finding.status = Status::supported;
   finding.error_log2 = std::log2(total);
   char text[160];
-  std::snprintf(text, sizeof text, "error < 2^%.0f; largest numerator: degree %.3g, %.3g bits", *finding.error_log2,
-                worst.degree, worst.bits);
+  std::snprintf(text, sizeof text, "error < 2^%.0f; largest numerator: degree %.3g, %.3g bits",
+                std::ceil(*finding.error_log2), worst.degree, worst.bits);
   finding.detail = text;
   return finding;
 }

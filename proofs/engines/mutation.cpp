@@ -97,12 +97,14 @@ FaultyRun<S> run_with_fault(const ClaimCase<Faulty<S>>& claim, Size size, Replay
   return run;
 }
 
-/// Corrupts every operation of one input in turn; survivors are named by their index.
+/// Corrupts every operation of one input in turn; survivors are named by their index. None where the equations cannot
+/// be looked at as they are: then every corrupted run would end alike.
 template <class S>
-Score score_faults(const ClaimCase<Faulty<S>>& claim, Size size, Replay<S> inputs, const S& error,
-                   std::vector<std::string>& survivors) {
+std::optional<Score> score_faults(const ClaimCase<Faulty<S>>& claim, Size size, Replay<S> inputs, const S& error,
+                                  std::vector<std::string>& survivors) {
   Score score;
   const FaultyRun<S> clean = run_with_fault<S>(claim, size, inputs, std::nullopt, error);
+  if (clean.threw || clean.valid == 0) return std::nullopt;
   const auto& truth = clean.sample.equations.list();
   for (std::int64_t index = 0; index < clean.operations; ++index) {
     const FaultyRun<S> run = run_with_fault<S>(claim, size, inputs, index, error);
@@ -153,16 +155,23 @@ Finding run_mutation(std::size_t index, const Plan& plan) {
   if (instances.empty()) instances = sizes_for(info, {{1, 1}, {1, 2}, {3, 1}});
   for (const Size size : instances) {
     Rng rng(seed_of(plan.seed, finding.claim + "/faults"));
+    std::optional<Score> faults;
     if (info.kind == Kind::example) {
-      finding.faults += score_faults<Rational>(claim_cases<Faulty<Rational>>()[index], size,
-                                               Replay<Rational>([&] { return ratio<Rational>(rng.between(1, 99), 7); }),
-                                               from_int<Rational>(1), finding.survivors);
+      faults = score_faults<Rational>(claim_cases<Faulty<Rational>>()[index], size,
+                                      Replay<Rational>([&] { return ratio<Rational>(rng.between(1, 99), 7); }),
+                                      from_int<Rational>(1), finding.survivors);
     } else {
       const Modulus modulus = random_prime(rng);
-      finding.faults += score_faults<Batch>(claim_cases<Faulty<Batch>>()[index], size,
-                                            Replay<Batch>([&] { return Batch::draw(modulus, rng); }),
-                                            Batch::draw(modulus, rng), finding.survivors);
+      faults = score_faults<Batch>(claim_cases<Faulty<Batch>>()[index], size,
+                                   Replay<Batch>([&] { return Batch::draw(modulus, rng); }), Batch::draw(modulus, rng),
+                                   finding.survivors);
     }
+    if (!faults) {
+      finding.status = Status::gave_up;
+      finding.detail = "n=" + std::to_string(size.n) + ", N=" + std::to_string(size.pieces) + ": no input to corrupt";
+      return finding;
+    }
+    finding.faults += *faults;
     finding.sizes.push_back(size);
     if (info.kind == Kind::example) break;
   }

@@ -24,7 +24,6 @@ std::string extension_of(const std::string& file) {
 }
 
 std::string_view without_blanks(std::string_view bytes) {
-  bytes = without_byte_order_mark(bytes);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : bytes.substr(first);
 }
@@ -88,6 +87,7 @@ void append(const std::string& file, const CadModel& model, const CadFace& face,
 }  // namespace
 
 std::optional<CadFormat> cad_format(const std::string& file, std::string_view bytes) {
+  bytes = without_byte_order_mark(bytes);
   const std::string_view text = without_blanks(bytes);
   if (text.starts_with("ISO-10303-21")) return CadFormat::step;
   const std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));

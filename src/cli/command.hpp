@@ -28,6 +28,14 @@ inline constexpr int success = 0;
 inline constexpr int refuted = 1;
 inline constexpr int unusable = 2;
 inline constexpr int undecided = 3;
+
+/// That of two runs as one: what cannot be used counts more than what is refuted, and that more than what is undecided.
+constexpr int worse(int a, int b) {
+  for (const int code : {unusable, refuted, undecided}) {
+    if (a == code || b == code) return code;
+  }
+  return success;
+}
 }  // namespace exit_code
 
 /// A command line that parses but makes no sense.

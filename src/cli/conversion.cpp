@@ -12,6 +12,7 @@
 #include "torse/cli/command.hpp"
 #include "torse/cli/mesh.hpp"
 #include "torse/cli/terminal.hpp"
+#include "torse/exact/decide/words.hpp"
 #include "torse/io/mesh_file.hpp"
 #include "torse/io/text.hpp"
 
@@ -86,7 +87,7 @@ Conversion convert_to_mesh(const std::vector<Face>& faces, OutputFormat format,
       meshes.push_back({face.name, mesh_surface(arcs, limit, precision)});
       const TriangleMesh& mesh = meshes.back().mesh;
       conversion.lines.push_back(fmt::format("{} triangles, at most {} from the surface", mesh.triangles.size(),
-                                             rounded_up(mesh.deviation, 3)));
+                                             decimal_above(mesh.deviation, 3)));
       conversion.faces.push_back(Json{{"mesh",
                                        {{"triangles", mesh.triangles.size()},
                                         {"points", mesh.points.size()},

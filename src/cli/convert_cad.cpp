@@ -9,6 +9,7 @@
 #include "torse/cli/rounding.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/cli/warp.hpp"
+#include "torse/exact/decide/words.hpp"
 #include "torse/io/text.hpp"
 
 namespace torse::cli {
@@ -40,14 +41,14 @@ bool flag_of(const WrittenFace& written) { return written.developable || definit
 std::string rounding_text(const RoundedSurface& rounded, const std::string& unit) {
   if (rounded.changed == 0) return "every number as it was";
   return fmt::format("{} of {} numbers rounded, by at most {} {} in the coordinates", rounded.changed, rounded.numbers,
-                     rounded_up(rounded.shift, 3), unit);
+                     decimal_above(rounded.shift, 3), unit);
 }
 
 std::string line_of(const WrittenFace& written, const CadWishes& wishes) {
   std::string text = rounding_text(written.rounded, wishes.unit.name) + "; as written ";
   text += written.developable ? "developable"
                               : fmt::format("not developable, the largest warp angle is at most {} degrees",
-                                            rounded_up(written.warp.enclosure.upper, 6));
+                                            decimal_above(written.warp.enclosure.upper, 6));
   if (wishes.format == OutputFormat::iges) text += flag_of(written) ? "; flagged as developable" : "; not flagged";
   return text;
 }

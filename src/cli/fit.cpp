@@ -225,7 +225,7 @@ int fit(const FitCommand& command, const FitWishes& wishes) {
     }
   }
   const int code = code_of(command, strip);
-  return code == exit_code::success && plate ? plate->code : code;
+  return plate ? exit_code::worse(code, plate->code) : code;
 }
 
 int run_fit(const FitCommand& command) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "torse/cli/judge.hpp"
+#include "torse/exact/decide/words.hpp"
 #include "torse/exact/warp/words.hpp"
 
 namespace torse::cli {
@@ -173,8 +174,9 @@ std::string surface_text(const FittedStrip& strip) {
                                  u.proper_pieces().size(), u.last() + 1);
   if (!strip.simplified) return text + "exactly on both rails\n";
   const Simplified& simplified = *strip.simplified;
-  text += fmt::format("certified: within {:.3g} of the exact one (degree {}, {} pieces, {} points)\n",
-                      simplified.distance, simplified.exact_degree, simplified.exact_pieces, simplified.exact_points);
+  text += fmt::format("certified: within {} of the exact one (degree {}, {} pieces, {} points)\n",
+                      decimal_above(simplified.distance, 3), simplified.exact_degree, simplified.exact_pieces,
+                      simplified.exact_points);
   text += fmt::format("  its own warp: mean {:.6g} degrees, sampled maximum {:.6g}\n", simplified.warp.mean,
                       simplified.warp.max);
   if (simplified.warp.max > strip.after.max + strip.threshold) {

@@ -118,8 +118,8 @@ Construction skew(const ConstructFile<Q>& input, int branch) {
   } else if (const double angle = angle_bound(last, *input.vb); angle > 0) {
     notes.push_back(
         fmt::format("M* is rounded to a rational number: the surface is exactly developable with the first "
-                    "ruling along va;\nthe last ruling is off vb by at most {:.3g} degrees",
-                    angle));
+                    "ruling along va;\nthe last ruling is off vb by at most {} degrees",
+                    decimal_above(angle, 3)));
   }
   return with_points(input, std::move(d), std::move(notes));
 }

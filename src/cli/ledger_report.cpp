@@ -45,7 +45,7 @@ std::string score_text(const proofs::Score& score) {
 std::string entry_text(const Entry& entry, const proofs::Plan& plan, const Terminal& terminal) {
   const Finding* modular = finding_of(entry, "modular");
   const std::string bound =
-      modular != nullptr && modular->error_log2 ? fmt::format("2^{:.0f}", *modular->error_log2) : "-";
+      modular != nullptr && modular->error_log2 ? fmt::format("2^{:.0f}", std::ceil(*modular->error_log2)) : "-";
   const bool printed_is_wrong = std::ranges::any_of(entry.info->hypotheses, [](const auto& h) { return !h.stated; });
   const std::string status = fmt::format("{}{}", proofs::status_name(entry.status()), printed_is_wrong ? "*" : "");
   std::string text = fmt::format("{:<11} {} {:<22} {:>7} {:>6} {:>11}  {}\n", entry.info->id,
@@ -68,12 +68,15 @@ Outcome ledger_outcome(const Entry& entry) {
   return status == Status::gave_up || status == Status::undecided ? Outcome::undecided : Outcome::passed;
 }
 
-int ledger_code(const std::vector<Entry>& entries, bool regressed) {
+int ledger_code(const std::vector<Entry>& entries, bool regressed, bool whole) {
   const auto any = [&](Outcome outcome) {
     return std::ranges::any_of(entries, [&](const Entry& entry) { return ledger_outcome(entry) == outcome; });
   };
   if (regressed || any(Outcome::failed)) return exit_code::refuted;
-  return any(Outcome::undecided) ? exit_code::undecided : exit_code::success;
+  const bool judged = !whole || std::ranges::any_of(entries, [](const Entry& entry) {
+    return entry.status() != Status::not_applicable;
+  });
+  return any(Outcome::undecided) || !judged ? exit_code::undecided : exit_code::success;
 }
 
 const Finding& culprit(const Entry& entry) {

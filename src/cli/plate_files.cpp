@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "torse/exact/decide/words.hpp"
+
 namespace torse::cli {
 namespace {
 
@@ -51,8 +53,8 @@ std::vector<std::string> notes_of(const PlateSheet& sheet) {
   std::vector<std::string> notes{
       fmt::format("{}: {:.6g} x {:.6g} {}, seen from the side {} the normal", sheet.face.name, plate.width,
                   plate.height, unit, sheet.mirrored ? "opposite to" : "of"),
-      fmt::format("outline within {:.2g} {}; length of C within {:.2g}, of D within {:.2g}", plate.deviation, unit,
-                  plate.c.error, plate.d.error)};
+      fmt::format("outline within {} {}; length of C within {}, of D within {}", decimal_above(plate.deviation, 2),
+                  unit, decimal_above(plate.c.error, 2), decimal_above(plate.d.error, 2))};
   if (plate.overlap.verdict == Truth::yes) notes.emplace_back("OVERLAPS ITSELF: cannot be cut from one sheet");
   if (plate.overlap.verdict == Truth::unknown) notes.emplace_back("THE OUTLINE TOUCHES ITSELF, or nearly so");
   return notes;

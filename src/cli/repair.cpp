@@ -8,6 +8,7 @@
 #include "torse/cli/judge.hpp"
 #include "torse/cli/surface_report.hpp"
 #include "torse/cli/terminal.hpp"
+#include "torse/exact/decide/words.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
 
@@ -88,9 +89,11 @@ std::string repair_text(const RepairedSurface& repaired) {
     text += fmt::format(", Lambda {}, M {}", short_number(only.lambda), short_number(only.m));
     if (only.sigma != Rational(1)) text += ", sigma " + short_number(only.sigma);
   }
-  return text + fmt::format("; control points move by at most {:.3g}, {:.3g} of the surface's size{}",
-                            net.distance.largest, net.distance.relative,
-                            net.distance.ulps ? fmt::format(", coordinates by {:.3g} ulps", *net.distance.ulps) : "");
+  return text + fmt::format("; control points move by at most {}, {} of the surface's size{}",
+                            decimal_above(net.distance.largest, 3), decimal_above(net.distance.relative, 3),
+                            net.distance.ulps
+                                ? fmt::format(", coordinates by {} ulps", decimal_above(*net.distance.ulps, 3))
+                                : "");
 }
 
 }  // namespace torse::cli

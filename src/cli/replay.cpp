@@ -53,7 +53,7 @@ int run_commands(const std::vector<std::vector<std::string>>& commands) {
   int worst = exit_code::success;
   for (const std::vector<std::string>& command : commands) {
     terminal.print(terminal.painted(Paint::dim, "torse " + command_line(command)) + "\n");
-    worst = std::max(worst, run_program(command));
+    worst = exit_code::worse(worst, run_program(command));
   }
   return worst;
 }
@@ -92,7 +92,7 @@ int run_database(const std::string& file) {
     for (const fuzz::Failure& failure : store.failures(series, fuzz::all_seeds)) {
       const std::string name = file + ", " + fuzz::unit_name(series, failure.saved.seed);
       terminal.print(terminal.painted(Paint::dim, name) + "\n");
-      worst = std::max(worst, run_case(Document(name, failure.saved.text)));
+      worst = exit_code::worse(worst, run_case(Document(name, failure.saved.text)));
       ++count;
     }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,9 @@ class Rounder {
     result.numbers = numbers_;
     result.changed = changed_;
     const double nearest = shift_.to_double();
-    result.shift = Rational::from_double(nearest) < shift_ ? std::nextafter(nearest, 1.0) : nearest;
+    result.shift = Rational::from_double(nearest) < shift_
+                       ? std::nextafter(nearest, std::numeric_limits<double>::infinity())
+                       : nearest;
   }
 
  private:

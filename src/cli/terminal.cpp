@@ -4,7 +4,6 @@
 #include <fmt/color.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdlib>
 
 #include "torse/scalar/errors.hpp"
@@ -66,12 +65,6 @@ std::string command_line(const std::vector<std::string>& words) {
     line += '\'';
   }
   return line;
-}
-
-std::string rounded_up(double bound, int digits) {
-  const std::string nearest = fmt::format("{:.{}g}", bound, digits);
-  if (std::strtod(nearest.c_str(), nullptr) >= bound) return nearest;
-  return fmt::format("{:.{}g}", bound * (1 + 0.5 * std::pow(10.0, 1 - digits)), digits);
 }
 
 }  // namespace torse::cli

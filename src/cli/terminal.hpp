@@ -35,7 +35,4 @@ void print_error(const std::string& message);
 /// The words joined by blanks, quoted for a POSIX shell where that is needed.
 std::string command_line(const std::vector<std::string>& words);
 
-/// A bound of at least 0 with so many significant digits, never below it.
-std::string rounded_up(double bound, int digits);
-
 }  // namespace torse::cli

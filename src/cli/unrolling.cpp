@@ -11,6 +11,7 @@
 #include "torse/cli/command.hpp"
 #include "torse/cli/effort.hpp"
 #include "torse/cli/surface_report.hpp"
+#include "torse/exact/decide/words.hpp"
 #include "torse/io/number.hpp"
 #include "torse/io/text.hpp"
 
@@ -99,8 +100,8 @@ std::size_t most_stations(int degree) {
 }
 
 std::string length_line(const char* name, const PlateRail& rail, const std::string& unit) {
-  return fmt::format("  {}: length {:.12g} {}, drawn {:.12g}, difference of any part at most {:.3g}\n", name,
-                     rail.before.lower(), unit, rail.after.lower(), rail.error);
+  return fmt::format("  {}: length {:.12g} {}, drawn {:.12g}, difference of any part at most {}\n", name,
+                     rail.before.lower(), unit, rail.after.lower(), decimal_above(rail.error, 3));
 }
 
 std::string overlap_text(const Plate& plate) {
@@ -147,8 +148,8 @@ Unrolled unrolled(const Face& face, const UnrollWishes& wishes) {
 
   Flatness flatness = flatness_of(surface, read_plate_warp(wishes.max_warp));
   if (flatness.flat != Truth::yes) {
-    return {.refusal = fmt::format("not developable: the largest warp angle lies in [{:.6g}, {:.6g}] degrees, {} {}{}",
-                                   flatness.warp.lower(), flatness.warp.upper(),
+    return {.refusal = fmt::format("not developable: the largest warp angle lies in [{}, {}] degrees, {} {}{}",
+                                   decimal_below(flatness.warp.lower(), 6), decimal_above(flatness.warp.upper(), 6),
                                    flatness.flat == Truth::no ? "more than" : "which does not decide",
                                    wishes.limit_name, wishes.max_warp),
             .code = flatness.flat == Truth::no ? exit_code::refuted : exit_code::undecided};
@@ -180,15 +181,14 @@ std::string plate_text(const PlateSheet& sheet, const Terminal& terminal) {
   std::string text = fmt::format("{:.6g} x {:.6g} {}, {} vertices on each rail, {} rulings\n", plate.width,
                                  plate.height, unit, plate.parameters.size(), plate.rulings.size());
   text += length_line("C", plate.c, unit) + length_line("D", plate.d, unit);
-  text += fmt::format("  rulings: lengths within {:.3g} {}; outline within {:.3g} {}\n", plate.ruling_error, unit,
-                      plate.deviation, unit);
+  text += fmt::format("  rulings: lengths within {} {}; outline within {} {}\n", decimal_above(plate.ruling_error, 3),
+                      unit, decimal_above(plate.deviation, 3), unit);
   if (!sheet.judgement.developable()) {
-    text +=
-        fmt::format("  warp up to {:.4g} degrees: lengths inside the plate are up to {:.3g} of themselves too long\n",
-                    sheet.warp.upper(), plate.stretch);
+    text += fmt::format("  warp up to {} degrees: lengths inside the plate are up to {} of themselves too long\n",
+                        decimal_above(sheet.warp.upper(), 4), decimal_above(plate.stretch, 3));
   }
-  text += fmt::format("  area before [{:.12g}, {:.12g}], drawn {:.12g} {}^2\n", plate.area_before.lower(),
-                      plate.area_before.upper(), plate.area_after.lower(), unit);
+  text += fmt::format("  area before [{}, {}], drawn {:.12g} {}^2\n", decimal_below(plate.area_before.lower(), 12),
+                      decimal_above(plate.area_before.upper(), 12), plate.area_after.lower(), unit);
   const Paint paint = plate.overlap.verdict == Truth::no    ? Paint::good
                       : plate.overlap.verdict == Truth::yes ? Paint::bad
                                                             : Paint::doubtful;

@@ -120,7 +120,7 @@ int run_verify(VerifyOptions& options) {
   for (const Entry& entry : entries) cases.push_back(ledger_case(entry, options.plan));
   write_case_reports(options.reports, cases);
   if (options.html.wanted()) write_html(options.html, "The papers' claims", html_sections(options, json));
-  const int code = ledger_code(entries, !worse.empty());
+  const int code = ledger_code(entries, !worse.empty(), options.selection.shards == 1);
   if (options.reports.use_stdout()) return code;
 
   const Terminal terminal(stdout);

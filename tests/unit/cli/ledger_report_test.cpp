@@ -62,10 +62,10 @@ TEST(LedgerReport, OutcomesAndExitCodes) {
   EXPECT_EQ(ledger_outcome(fails()), Outcome::failed);
   EXPECT_EQ(ledger_outcome(open()), Outcome::undecided);
   EXPECT_EQ(ledger_outcome(surviving()), Outcome::failed);
-  EXPECT_EQ(ledger_code({holds(), holds()}, false), exit_code::success);
-  EXPECT_EQ(ledger_code({holds(), holds()}, true), exit_code::refuted);
-  EXPECT_EQ(ledger_code({holds(), open()}, false), exit_code::undecided);
-  EXPECT_EQ(ledger_code({open(), fails(), holds()}, false), exit_code::refuted);
+  EXPECT_EQ(ledger_code({holds(), holds()}, false, true), exit_code::success);
+  EXPECT_EQ(ledger_code({holds(), holds()}, true, true), exit_code::refuted);
+  EXPECT_EQ(ledger_code({holds(), open()}, false, true), exit_code::undecided);
+  EXPECT_EQ(ledger_code({open(), fails(), holds()}, false, true), exit_code::refuted);
 }
 
 TEST(LedgerReport, TheCulpritIsWhatRefutesBeforeWhatGaveUp) {
