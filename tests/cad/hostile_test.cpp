@@ -58,6 +58,9 @@ TEST_F(HostileCad, NotWhatTheNamePromises) {
   for (const char* name : {"a.STEP", "a.Stp", "a.P21"}) refused(name, "solid cube", "begins with ISO-10303-21");
   for (const char* name : {"a.IGS", "a.Iges"}) refused(name, "hello", "column 73");
   EXPECT_EQ(check("a.txt", "\xEF\xBB\xBF \r\n" + patch("1.,1.,0.")).exit, 0);
+  IgesText plane;
+  plane.ruled(plane.line("0.,0.,0.", "1.,0.,0."), plane.line("0.,1.,0.", "1.,1.,0."), 0, 1, {});
+  EXPECT_EQ(check("a.txt", "\xEF\xBB\xBF" + plane.file()).exit, 0);
 }
 
 TEST_F(HostileCad, NumbersThatAreNone) {
