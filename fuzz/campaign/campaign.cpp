@@ -108,7 +108,7 @@ class Leader {
     const std::int64_t number = store_.put_run(run_);
     Advance next = advance_;
     for (const UnitResult& result : results_) {
-      const Put put = store_.put(result, number);
+      const Put put = store_.put_anew(result, number);
       if (put == Put::contradiction) {
         throw FileError(store_.file(),
                         unit_name(result.series, result.seed) +

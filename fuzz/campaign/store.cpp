@@ -73,6 +73,8 @@ void add_count(Tally& tally, const std::string& kind, const std::string& key, co
 Store::Store(const std::string& file, Database::Open how)
     : database_(opened(file, how)),
       find_series_(database_.prepare("SELECT id FROM series WHERE property = ? AND effort = ?")),
+      find_outdated_(database_.prepare("SELECT 1 FROM unit JOIN run ON run.id = run WHERE series = ? AND seed = ?"
+                                       " AND failed > 0 AND build <> (SELECT build FROM run WHERE id = ?)")),
       add_unit_(database_.prepare("INSERT INTO unit (series, seed, run, cases, failed, discarded, microseconds)"
                                   " VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING")),
       add_count_(database_.prepare("INSERT INTO met (series, seed, label, cases)"
@@ -94,11 +96,22 @@ Put Store::put(const UnitResult& result, std::int64_t run) {
   const std::int64_t series = add_series(result.series);
   if (add_unit(series, result, run)) return Put::added;
   const auto stored = Units(*this, result.series, {result.seed, result.seed}).next();
-  if (stored->result.tally == result.tally) return Put::known;
-  if (stored->result.tally.failed == 0 || build_of(stored->run) == build_of(run)) return Put::contradiction;
-  erase(series, result.seed);
-  add_unit(series, result, run);
-  return Put::added;
+  if (stored->result.tally != result.tally) return Put::contradiction;
+  if (began_later(run, stored->run)) {
+    erase(series, result.seed);
+    add_unit(series, result, run);
+  }
+  return Put::known;
+}
+
+Put Store::put_anew(const UnitResult& result, std::int64_t run) {
+  const std::int64_t series = add_series(result.series);
+  find_outdated_.bind(series, number(result.seed), run);
+  if (find_outdated_.step()) {
+    find_outdated_.reset();
+    erase(series, result.seed);
+  }
+  return put(result, run);
 }
 
 std::map<std::int64_t, RunInfo> Store::runs() {
@@ -191,9 +204,13 @@ std::int64_t Store::add_series(const Series& series) {
   return *find_series(series);
 }
 
-std::string Store::build_of(std::int64_t run) {
-  Statement rows = database_.prepare("SELECT build FROM run WHERE id = ?");
-  return rows.bind(run).step() ? rows.text(0) : std::string();
+bool Store::began_later(std::int64_t run, std::int64_t other) {
+  return database_
+      .prepare(
+          "SELECT 1 FROM run AS a, run AS b WHERE a.id = ? AND b.id = ? AND (a.started, a.token) > (b.started, "
+          "b.token)")
+      .bind(run, other)
+      .step();
 }
 
 bool Store::add_unit(std::int64_t id, const UnitResult& result, std::int64_t run) {

@@ -52,8 +52,10 @@ class Store {
 
   /// The number of a run, which is stored if it is new; its seconds become the greater ones.
   std::int64_t put_run(const RunInfo& run);
-  /// Stores a unit, the first time. A unit that failed under another build than the run's gives way to the new result.
+  /// Stores a unit, the first time. Of equal results that of the run which began later stays, whichever was put first.
   Put put(const UnitResult& result, std::int64_t run);
+  /// The same for a unit that has just been run: what failed under another build gives way to it, equal or not.
+  Put put_anew(const UnitResult& result, std::int64_t run);
 
   /// By the numbers that the units refer to.
   std::map<std::int64_t, RunInfo> runs();
@@ -71,13 +73,14 @@ class Store {
 
   std::optional<std::int64_t> find_series(const Series& series);
   std::int64_t add_series(const Series& series);
-  std::string build_of(std::int64_t run);
+  bool began_later(std::int64_t run, std::int64_t other);
   bool add_unit(std::int64_t number, const UnitResult& result, std::int64_t run);
   void put_distribution(std::int64_t number, std::uint64_t seed, const char* kind, const Distribution& distribution);
   void erase(std::int64_t number, std::uint64_t seed);
 
   Database database_;
   Statement find_series_;
+  Statement find_outdated_;
   Statement add_unit_;
   Statement add_count_;
   Statement add_label_;

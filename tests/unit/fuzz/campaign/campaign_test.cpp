@@ -181,6 +181,40 @@ TEST_F(Campaigns, AUnitThatCameOutOtherwiseIsAnError) {
   EXPECT_EQ(a.unit_count(plan.series(0), all_seeds), 0U);
 }
 
+TEST_F(Campaigns, AFailureOfAnotherBuildIsRunOnceMoreAndIsThenThatOfThisOne) {
+  Store a = store("a");
+  Plan plan = plan_of({1, 40});
+  plan.properties = {&property<Digits>()};
+  run_campaign(a, plan, run_of("t", "old"), {1, {}, {}}, {}, nullptr);
+  const std::uint64_t settled = a.settled(plan.series(0), all_seeds, "b").count();
+  ASSERT_LT(settled, 40U);
+  const Ran again = run(a, plan, 1);
+  EXPECT_EQ(again.advance.left, 40 - settled);
+  EXPECT_EQ(again.advance.units, 40 - settled);
+  for (const Failure& failure : a.failures(plan.series(0), all_seeds)) EXPECT_EQ(failure.build, "b");
+  EXPECT_EQ(run(a, plan, 1).advance.left, 0U);
+  Store one = store("one");
+  run(one, plan, 1);
+  EXPECT_TRUE(equal(one, a));
+}
+
+TEST_F(Campaigns, AFailureThatCameOutOtherwiseUnderTheSameBuildIsAnError) {
+  Store a = store("a");
+  Plan plan = plan_of({1, 1});
+  const UnitResult fails = test::unit_of("test.digits", 50, 1);
+  test::put_all(a, run_of("t", "old"), {fails});
+  const auto report = [&](const UnitResult& result) {
+    Hall hall(2);
+    Hall::Seat seat = hall.seat(1);
+    seat.send(0, to_bytes(Report{plan_number(plan, "b"), 0, true, "", {result}}, plan));
+    Hall::Seat leader = hall.seat(0);
+    run(a, plan, 1, &leader);
+  };
+  report(fails);
+  EXPECT_THROW(report(test::unit_of("test.digits", 50, 2)), FileError);
+  EXPECT_EQ(a.total(plan.series(0), {50, 50}).tally.failed, 1U);
+}
+
 TEST_F(Campaigns, AUnitThatCannotBeRunIsNamedAndTheOthersAreStored) {
   for (int size = 1; size <= 3; ++size) {
     Store a = store("a" + std::to_string(size));

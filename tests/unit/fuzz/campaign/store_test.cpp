@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "torse/io/document.hpp"
 #include "unit/fuzz/campaign/support.hpp"
 
@@ -93,7 +95,13 @@ TEST_F(Databases, AFailureOfAnotherBuildIsNotSettledAndGivesWay) {
   EXPECT_EQ(store.settled({"p", "quick"}, all_seeds, "old").text(), "1..3");
   EXPECT_EQ(store.settled({"p", "quick"}, all_seeds, "new").text(), "1, 3");
   EXPECT_EQ(store.settled({"p", "quick"}, {2, 9}, "old").text(), "2..3");
-  put_all(store, run_of("u", "new"), {unit_of("p", 2, 0)});
+  Transaction transaction(store.database());
+  const std::int64_t run = store.put_run(run_of("u", "new"));
+  EXPECT_EQ(store.put_anew(unit_of("p", 1, 1), run), Put::contradiction);
+  EXPECT_EQ(store.put_anew(unit_of("p", 2, 0), run), Put::added);
+  EXPECT_EQ(store.put_anew(unit_of("p", 2, 0), run), Put::known);
+  EXPECT_EQ(store.put_anew(unit_of("p", 2, 1), run), Put::contradiction);
+  transaction.commit();
   EXPECT_TRUE(store.failures({"p", "quick"}, all_seeds).empty());
   EXPECT_EQ(store.total({"p", "quick"}, all_seeds).tally.failed, 0U);
   EXPECT_EQ(store.total({"p", "quick"}, all_seeds).tally.labels.count("key", "value"), 27U);
@@ -188,6 +196,89 @@ TEST_F(Databases, ThatContradictEachOtherAreNotMerged) {
     EXPECT_NE(std::string(error.what()).find("p, seed 2, quick effort"), std::string::npos) << error.what();
   }
   EXPECT_TRUE(both.series().empty());
+}
+
+/// The message of a merge that fails.
+std::string refusal(Store& into, const std::vector<std::string>& from) {
+  try {
+    merge(into, from);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "merged";
+}
+
+TEST_F(Databases, OfTwoBuildsContradictEachOtherInEitherOrder) {
+  const UnitResult fails = unit_of("p", 7, 1);
+  const UnitResult holds = unit_of("p", 7, 0);
+  const UnitResult fails_otherwise = unit_of("p", 7, 2);
+  {
+    Store older(file("older"), Open::create);
+    Store newer(file("newer"), Open::create);
+    Store worse(file("worse"), Open::create);
+    put_all(older, run_of("t", "old"), {holds});
+    put_all(newer, run_of("u", "new"), {fails});
+    put_all(worse, run_of("v", "newest"), {fails_otherwise});
+  }
+  const std::vector<std::string> names{"older", "newer", "worse"};
+  for (const std::string& first : names) {
+    for (const std::string& second : names) {
+      if (first == second) continue;
+      Store into(file(first + second), Open::create);
+      merge(into, {file(first)});
+      const UnitResult before = Units(into, {"p", "quick"}, all_seeds).next()->result;
+      EXPECT_NE(refusal(into, {file(second)}).find("p, seed 7, quick effort"), std::string::npos) << first << second;
+      EXPECT_EQ(Units(into, {"p", "quick"}, all_seeds).next()->result.tally, before.tally) << first << second;
+      EXPECT_EQ(into.runs().size(), 1U);
+    }
+  }
+}
+
+TEST_F(Databases, KeepTheLaterOfEqualResultsInEitherOrder) {
+  UnitResult slower = unit_of("p", 7, 1);
+  slower.microseconds = 2000;
+  RunInfo later = run_of("a", "new");
+  later.started = "2026-01-02T03:04:06Z";
+  {
+    Store a(file("a"), Open::create);
+    Store b(file("b"), Open::create);
+    put_all(a, run_of("t", "old"), {unit_of("p", 7, 1)});
+    put_all(b, later, {slower});
+  }
+  for (const std::vector<std::string>& order : {std::vector{file("a"), file("b")}, std::vector{file("b"), file("a")}}) {
+    Store into(order.front() + "+", Open::create);
+    const Merged merged = merge(into, order);
+    EXPECT_EQ(merged.added, 1U);
+    EXPECT_EQ(merged.known, 1U);
+    const std::vector<Failure> failures = into.failures({"p", "quick"}, all_seeds);
+    ASSERT_EQ(failures.size(), 1U);
+    EXPECT_EQ(failures.front().build, "new");
+    EXPECT_EQ(into.total({"p", "quick"}, all_seeds).microseconds, 2000);
+    EXPECT_EQ(into.total({"p", "quick"}, all_seeds).tally.labels.count("key", "value"), 9U);
+  }
+}
+
+TEST_F(Databases, AreAsTheyWereAfterAMergeThatFails) {
+  {
+    Store into(file("a"), Open::create);
+    Store more(file("b"), Open::create);
+    Store wrong(file("c"), Open::create);
+    put_all(into, run_of("t", "b"), {unit_of("p", 1, 0), unit_of("p", 2, 1)});
+    put_all(more, run_of("u", "b"), {unit_of("p", 3, 0), unit_of("q", 1, 1)});
+    put_all(wrong, run_of("v", "b"), {unit_of("p", 4, 0), unit_of("p", 1, 1)});
+  }
+  const std::string before = testing::slurp(scratch_ / "a");
+  std::filesystem::create_hard_link(scratch_ / "a", scratch_ / "link");
+  const std::vector<std::pair<std::string, std::string>> last{
+      {"c", "p, seed 1, quick effort"},
+      {"a", "expected another database than the one to merge into"},
+      {"link", "expected another database than the one to merge into"},
+      {"none", "unable to open database file"}};
+  for (const auto& [name, words] : last) {
+    Store into(file("a"), Open::existing);
+    EXPECT_NE(refusal(into, {file("b"), file(name)}).find(words), std::string::npos) << name;
+    EXPECT_EQ(testing::slurp(scratch_ / "a"), before) << name;
+  }
 }
 
 TEST_F(Databases, AreComparedUnitByUnit) {
