@@ -95,10 +95,11 @@ void write_file(const std::string& path, std::string_view content) {
 
 void make_folder(const std::string& path) {
   std::error_code failure;
+  std::error_code ignored;
   fs::create_directories(path, failure);
-  if (!fs::is_directory(path))
-    throw FileError(
-        path, "cannot be made: " + (failure ? failure : std::make_error_code(std::errc::not_a_directory)).message());
+  if (fs::is_directory(path, ignored)) return;
+  if (!failure) failure = std::make_error_code(std::errc::not_a_directory);
+  throw FileError(path, "cannot be made: " + failure.message());
 }
 
 }  // namespace torse

@@ -87,6 +87,28 @@ TEST(File, ADiskThatFillsUpLeavesTheOldFile) {
   EXPECT_EQ(entries(scratch), 1U);
 }
 
+/// The reason that a folder cannot be made.
+std::string refusal(const std::string& folder) {
+  try {
+    make_folder(folder);
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.file(), folder);
+    return error.reason();
+  }
+  return "made";
+}
+
+TEST(File, AFolderThatCannotBeMadeIsNamed) {
+  const Scratch scratch;
+  const std::string folder = (scratch / "a/b").string();
+  EXPECT_EQ(refusal(folder), "made");
+  EXPECT_EQ(refusal(folder), "made");
+  EXPECT_EQ(refusal(folder + "/" + std::string(300, 'x')), "cannot be made: File name too long");
+  spill(scratch / "file", "");
+  EXPECT_EQ(refusal((scratch / "file").string()), "cannot be made: Not a directory");
+  EXPECT_EQ(refusal((scratch / "file/c").string()), "cannot be made: Not a directory");
+}
+
 TEST(File, WhatCannotBeReadIsNamed) {
   const Scratch scratch;
   for (const std::string& path : {(scratch / "none").string(), scratch.path().string(), std::string("/dev/zero")}) {
