@@ -46,7 +46,7 @@ std::string Plan::text() const {
 }
 
 std::string unit_name(const Series& series, std::uint64_t seed) {
-  return series.property + ", seed " + std::to_string(seed) + ", " + series.effort + " effort";
+  return printable(series.property) + ", seed " + std::to_string(seed) + ", " + printable(series.effort) + " effort";
 }
 
 Shard shard_of_environment() {

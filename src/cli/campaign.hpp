@@ -32,7 +32,7 @@ struct CaseFiles {
   /// The file of a failure, as "text.number-standard-7-0.json" in the folder; empty where there is no folder. Throws
   /// FileError for a property whose name is none.
   std::string path(const fuzz::Failure& failure) const;
-  /// The command that runs it again.
+  /// The command that runs it again, printable.
   std::string replay(const fuzz::Failure& failure) const;
 };
 

@@ -1,6 +1,7 @@
 // torse campaign show, merge and export.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <limits>
 #include <memory>
 
@@ -15,6 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Open = fuzz::Database::Open;
+namespace fs = std::filesystem;
 
 std::vector<SeriesReport> all_reports(fuzz::Store& store) {
   std::vector<SeriesReport> reports;
@@ -41,7 +43,7 @@ int show(const std::string& database, const std::string& json_file) {
   const std::vector<SeriesReport> reports = all_reports(store);
   const CaseFiles files{database, ""};
   if (!json_file.empty()) {
-    Json json{{"torse", 1}, {"campaign", database}};
+    Json json{{"torse", 1}, {"campaign", printable(database)}};
     add_reports(json, reports, files);
     json["runs"] = Json::array();
     for (const auto& [number, run] : store.runs()) json["runs"].push_back(run_json(run));
@@ -61,19 +63,34 @@ int show(const std::string& database, const std::string& json_file) {
   return verdict(reports);
 }
 
+/// What a file was before it was made a database.
+enum class Before { none, empty, other };
+
+Before before_of(const std::string& file) {
+  std::error_code failure;
+  if (!fs::exists(file, failure)) return failure ? Before::other : Before::none;
+  return fs::file_size(file, failure) == 0 ? Before::empty : Before::other;
+}
+
+void restore(const std::string& file, Before before) {
+  std::error_code ignored;
+  if (before == Before::none) fs::remove(file, ignored);
+  if (before == Before::empty) fs::resize_file(file, 0, ignored);
+}
+
 int merge(const std::string& into, const std::vector<std::string>& from) {
-  const bool existed = std::filesystem::exists(into);
+  const Before before = before_of(into);
   fuzz::Merged merged;
   try {
     for (const std::string& file : from) fuzz::Store(file, Open::existing);
     fuzz::Store store(into, Open::create);
     merged = fuzz::merge(store, from);
   } catch (...) {
-    std::error_code ignored;
-    if (!existed) std::filesystem::remove(into, ignored);
+    restore(into, before);
     throw;
   }
-  Terminal(stdout).print(fmt::format("{}: {} units added, {} were there already\n", into, merged.added, merged.known));
+  Terminal(stdout).print(
+      fmt::format("{}: {} units added, {} were there already\n", printable(into), merged.added, merged.known));
   return exit_code::success;
 }
 

@@ -105,7 +105,11 @@ int diff(const std::string& a, const std::string& b, const std::string& json_fil
   const std::vector<Difference> differences = fuzz::compare(store_a, store_b);
   const int code = code_of(differences);
   if (!json_file.empty()) {
-    Json json{{"torse", 1}, {"a", a}, {"b", b}, {"equal", code == exit_code::success}, {"properties", Json::array()}};
+    Json json{{"torse", 1},
+              {"a", printable(a)},
+              {"b", printable(b)},
+              {"equal", code == exit_code::success},
+              {"properties", Json::array()}};
     for (const Difference& difference : differences) json["properties"].push_back(difference_json(difference));
     write_json(json_file, json);
     if (json_file == "-") return code;

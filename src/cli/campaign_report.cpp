@@ -87,7 +87,7 @@ Json failure_json(const Failure& failure, const CaseFiles& files) {
           {"seed", failure.saved.seed},
           {"case", failure.saved.index},
           {"message", printable(failure.saved.message)},
-          {"file", path.empty() ? Json(nullptr) : Json(path)},
+          {"file", path.empty() ? Json(nullptr) : Json(printable(path))},
           {"replay", files.replay(failure)}};
 }
 
@@ -106,7 +106,7 @@ std::string CaseFiles::path(const Failure& failure) const {
 }
 
 std::string CaseFiles::replay(const Failure& failure) const {
-  return "torse " + command_line({"replay", folder.empty() ? database : path(failure)});
+  return "torse " + printable(command_line({"replay", folder.empty() ? database : path(failure)}));
 }
 
 SeriesReport series_report(fuzz::Store& store, const fuzz::Series& series, const fuzz::Seeds& seeds) {
@@ -142,7 +142,7 @@ void print_failures(const Terminal& terminal, const std::vector<SeriesReport>& r
   for (const SeriesReport& report : reports) {
     if (!report.vacuous.empty()) {
       terminal.print(fmt::format("{} {}, {} effort: {}\n", terminal.painted(Paint::bad, "vacuous:"),
-                                 printable(report.series.property), report.series.effort, report.vacuous));
+                                 printable(report.series.property), printable(report.series.effort), report.vacuous));
     }
     for (const Failure& failure : report.failures) {
       if (++count > failures_shown) continue;
@@ -150,7 +150,7 @@ void print_failures(const Terminal& terminal, const std::vector<SeriesReport>& r
                                  fuzz::unit_name(failure.series, failure.saved.seed),
                                  printable(failure.saved.message)));
       const std::string path = files.path(failure);
-      if (!path.empty()) terminal.print("  case: " + path + "\n");
+      if (!path.empty()) terminal.print("  case: " + printable(path) + "\n");
       terminal.print("  " + terminal.painted(Paint::dim, "replay: " + files.replay(failure)) + "\n");
     }
   }

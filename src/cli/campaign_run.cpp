@@ -24,6 +24,7 @@
 #include "torse/fuzz/campaign/campaign.hpp"
 #include "torse/fuzz/campaign/crash.hpp"
 #include "torse/fuzz/properties.hpp"
+#include "torse/io/text.hpp"
 #include "torse/proofs/report.hpp"
 
 namespace torse::cli {
@@ -141,7 +142,7 @@ std::string closing_line(const Results& results, const RunOptions& options, cons
 
 Json json_of(const Results& results, const RunOptions& options, const fuzz::Plan& plan, const CaseFiles& files) {
   Json json{{"torse", 1},
-            {"campaign", options.database},
+            {"campaign", printable(options.database)},
             {"effort", options.effort},
             {"seeds", plan.seeds.text()},
             {"complete", results.ran.complete},

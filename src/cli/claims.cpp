@@ -4,6 +4,7 @@
 
 #include "torse/cli/command.hpp"
 #include "torse/cli/suggest.hpp"
+#include "torse/io/text.hpp"
 #include "torse/proofs/engines/engine.hpp"
 #include "torse/proofs/table.hpp"
 
@@ -32,7 +33,7 @@ std::vector<std::string> engine_names() {
 void require_known(const char* option, const std::vector<std::string>& names, const std::vector<std::string>& known) {
   for (const std::string& name : names) {
     if (std::ranges::find(known, name) == known.end()) {
-      throw UsageError(std::string(option) + ": unknown name " + name + suggestion(name, known));
+      throw UsageError(std::string(option) + ": unknown name " + printable(name) + suggestion(name, known));
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "torse/cli/terminal.hpp"
 #include "torse/figures/figure.hpp"
 #include "torse/io/file.hpp"
+#include "torse/io/text.hpp"
 
 namespace torse::cli {
 namespace {
@@ -35,7 +36,7 @@ std::vector<PaperFigure> chosen(const std::vector<std::string>& ids) {
     if (result.size() > before) continue;
     std::vector<std::string> known;
     for (const PaperFigure& figure : all) known.push_back(figure.id);
-    throw UsageError("no figure " + id + suggestion(id, known));
+    throw UsageError("no figure " + printable(id) + suggestion(id, known));
   }
   return ids.empty() ? all : result;
 }

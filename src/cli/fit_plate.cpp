@@ -1,7 +1,10 @@
 #include "torse/cli/fit_plate.hpp"
 
+#include <utility>
+
 #include "torse/cli/command.hpp"
 #include "torse/io/file.hpp"
+#include "torse/io/text.hpp"
 
 namespace torse::cli {
 namespace {
@@ -41,8 +44,10 @@ Json fit_plate_json(const std::vector<std::string>& files, const Unrolled& resul
   if (!result.sheet) return {{"unrolled", false}, {"reason", result.refusal}};
   const Plate& plate = result.sheet->plate;
   const Truth overlap = plate.overlap.verdict;
+  Json names = Json::array();
+  for (const std::string& file : files) names.push_back(printable(file));
   return {{"unrolled", true},
-          {"files", files},
+          {"files", std::move(names)},
           {"unit", result.sheet->unit.name},
           {"width", plate.width},
           {"height", plate.height},

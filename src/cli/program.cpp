@@ -12,6 +12,7 @@
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/cli/version.hpp"
+#include "torse/io/text.hpp"
 
 namespace torse::cli {
 namespace {
@@ -60,7 +61,7 @@ std::string unknown_word(const CLI::App& app) {
   }
   const std::vector<std::string> left = scope->remaining(true);
   const std::string word = left.empty() ? "" : left.front();
-  return "unexpected word " + command_line({word}) + suggestion(word.substr(0, word.find('=')), known);
+  return "unexpected word " + printable(command_line({word})) + suggestion(word.substr(0, word.find('=')), known);
 }
 
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {

@@ -16,6 +16,7 @@
 #include "torse/fuzz/run.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/spline_file.hpp"
+#include "torse/io/text.hpp"
 
 namespace torse::cli {
 namespace {
@@ -52,7 +53,7 @@ int run_commands(const std::vector<std::vector<std::string>>& commands) {
   const Terminal terminal(stdout);
   int worst = exit_code::success;
   for (const std::vector<std::string>& command : commands) {
-    terminal.print(terminal.painted(Paint::dim, "torse " + command_line(command)) + "\n");
+    terminal.print(terminal.painted(Paint::dim, "torse " + printable(command_line(command))) + "\n");
     worst = exit_code::worse(worst, run_program(command));
   }
   return worst;
@@ -68,10 +69,10 @@ int run_case(const Document& document) {
     return exit_code::success;
   }
   if (report.result == fuzz::CaseResult::failed) {
-    terminal.print(name + ": FAILS: " + report.message + "\n");
+    terminal.print(name + ": FAILS: " + printable(report.message) + "\n");
     return exit_code::refuted;
   }
-  terminal.print(name + ": no case: " + report.message + "\n");
+  terminal.print(name + ": no case: " + printable(report.message) + "\n");
   return exit_code::undecided;
 }
 
@@ -91,7 +92,7 @@ int run_database(const std::string& file) {
   for (const fuzz::Series& series : store.series()) {
     for (const fuzz::Failure& failure : store.failures(series, fuzz::all_seeds)) {
       const std::string name = file + ", " + fuzz::unit_name(series, failure.saved.seed);
-      terminal.print(terminal.painted(Paint::dim, name) + "\n");
+      terminal.print(terminal.painted(Paint::dim, printable(name)) + "\n");
       worst = exit_code::worse(worst, run_case(Document(name, failure.saved.text)));
       ++count;
     }

@@ -19,6 +19,7 @@
 #include "torse/cli/study.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
+#include "torse/io/text.hpp"
 
 namespace torse::cli {
 namespace {
@@ -146,7 +147,7 @@ int run_words(const CLI::App& app, const StudyOptions& options) {
     require_only(app, {"--route", "--json"});
     return print_autopsy(options.file, options.route, options.json);
   }
-  if (!options.file.empty()) throw UsageError("unexpected word " + command_line({options.file}));
+  if (!options.file.empty()) throw UsageError("unexpected word " + printable(command_line({options.file})));
   if (app.count("--route") > 0) throw UsageError("--route is for torse study autopsy");
   if (options.name == "list") {
     require_only(app, {});

@@ -8,6 +8,7 @@
 #include "torse/cli/json_report.hpp"
 #include "torse/cli/study.hpp"
 #include "torse/io/file.hpp"
+#include "torse/io/text.hpp"
 #include "torse/studies/autopsy.hpp"
 
 namespace torse::cli {
@@ -50,7 +51,7 @@ Json report_of(const std::string& file, const Autopsy& autopsy) {
   for (const Loss& loss : autopsy.lost) lost.push_back(json_of(loss));
   for (const Loss& loss : autopsy.made) made.push_back(json_of(loss));
   Json report{{"torse", 1},
-              {"file", file},
+              {"file", printable(file)},
               {"operations", autopsy.operations},
               {"worst",
                {{"name", autopsy.worst.name},
@@ -72,7 +73,7 @@ int print_autopsy(const std::string& file, const std::string& route, const std::
 
   const Terminal terminal(stdout);
   const auto& worst = autopsy.worst;
-  terminal.print(fmt::format("{}: {} operations in double\n", file, autopsy.operations));
+  terminal.print(fmt::format("{}: {} operations in double\n", printable(file), autopsy.operations));
   terminal.print(
       std::isfinite(worst.value)
           ? fmt::format("the worst result is {} = {:.17g}, exactly {:.17g}: {:.1f} of 16.0 digits are right\n",

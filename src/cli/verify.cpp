@@ -21,6 +21,7 @@
 #include "torse/cli/report_files.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
+#include "torse/io/text.hpp"
 #include "torse/proofs/report.hpp"
 #include "torse/proofs/runner.hpp"
 
@@ -89,7 +90,7 @@ std::vector<std::string> compare(const VerifyOptions& options, const std::vector
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
-    throw UsageError(options.baseline + ": " + error.what());
+    throw UsageError(printable(options.baseline) + ": " + error.what());
   }
 }
 

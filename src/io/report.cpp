@@ -74,7 +74,7 @@ Json sarif_result(const ReportCase& c) {
   Json place{{"artifactLocation", {{"uri", uri(c.file)}}}};
   if (c.line > 0) place["region"] = {{"startLine", c.line}, {"startColumn", c.column}};
   const char* level = c.outcome == Outcome::skipped ? "none" : c.outcome == Outcome::undecided ? "warning" : "error";
-  return {{"ruleId", c.rule},
+  return {{"ruleId", printable(c.rule)},
           {"kind", c.outcome == Outcome::skipped ? "notApplicable" : "fail"},
           {"level", level},
           {"message", {{"text", printable(c.name + ": " + c.message + " (replay: " + c.replay + ")")}}},
@@ -103,8 +103,9 @@ std::string sarif_report(const std::vector<ReportCase>& cases, const std::string
   Json results = Json::array();
   for (const ReportCase& c : cases) {
     if (c.outcome == Outcome::passed) continue;
-    const bool known = std::ranges::any_of(rules, [&](const Json& rule) { return rule["id"] == c.rule; });
-    if (!known) rules.push_back({{"id", c.rule}, {"shortDescription", {{"text", c.rule_text}}}});
+    const std::string id = printable(c.rule);
+    const bool known = std::ranges::any_of(rules, [&](const Json& rule) { return rule["id"] == id; });
+    if (!known) rules.push_back({{"id", id}, {"shortDescription", {{"text", printable(c.rule_text)}}}});
     results.push_back(sarif_result(c));
   }
   const Json driver{{"name", "torse"}, {"version", version}, {"rules", rules}};

@@ -240,6 +240,81 @@ TEST_F(Campaign, ContradictionsAreNotMerged) {
   EXPECT_FALSE(std::filesystem::exists(runs_.scratch() / "c"));
 }
 
+TEST_F(Campaign, AMergeThatFailsLeavesEverythingAsItWas) {
+  make_failing("a", true);
+  EXPECT_EQ(run(runs_.run("b", "1..3", "1")).exit, 0);
+  EXPECT_EQ(run(runs_.run("more", "4..5", "1")).exit, 0);
+  spill(runs_.scratch() / "empty", "");
+  const auto bytes = [&](const std::string& name) { return slurp(runs_.scratch() / name); };
+  const std::string a = bytes("a");
+  const std::string b = bytes("b");
+  const auto merged = [&](const std::string& into, const std::vector<std::string>& from) {
+    std::vector<std::string> words{"campaign", "merge", runs_.file(into)};
+    for (const std::string& name : from) words.push_back(runs_.file(name));
+    return torse(words);
+  };
+  for (const auto& [into, from] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"a", {"more", "b"}}, {"b", {"more", "a"}}, {"empty", {"more", "a", "b"}}}) {
+    const ProgramResult result = merged(into, from);
+    EXPECT_EQ(result.exit, 2);
+    EXPECT_THAT(result.out, HasSubstr("contradicts what was merged before: text.number, seed 3, quick effort"));
+  }
+  for (const std::string own : {"a", "./a"}) {
+    const ProgramResult result = merged("a", {"more", own});
+    EXPECT_EQ(result.exit, 2);
+    EXPECT_THAT(result.out, HasSubstr("expected another database than the one to merge into"));
+  }
+  EXPECT_TRUE(bytes("a") == a);
+  EXPECT_TRUE(bytes("b") == b);
+  EXPECT_TRUE(bytes("empty").empty());
+  EXPECT_EQ(merged("empty", {"more", "a"}).exit, 0);
+  EXPECT_EQ(runs_.units("empty"), 5U);
+}
+
+TEST_F(Campaign, NamesThatAreNoUtf8AreWrittenWithEscapes) {
+  const std::string name = "n\xFF";
+  const std::string shown = runs_.file("n\\xff");
+  const std::string path = shown + ".cases/text.number-quick-3-17.json";
+  make_failing(name, true);
+  const std::vector<std::string> words = runs_.run(name, "1..3", "1");
+  const ProgramResult text = run(words);
+  EXPECT_EQ(text.exit, 1);
+  EXPECT_THAT(text.out, HasSubstr("\n  case: " + path + "\n  replay: torse replay '" + path + "'\n"));
+  std::vector<std::string> reports = words;
+  reports.insert(reports.end(), {"--json", "-", "--junit", runs_.file("junit"), "--sarif", runs_.file("sarif")});
+  const ProgramResult result = run(reports);
+  EXPECT_EQ(result.exit, 1);
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["campaign"], shown);
+  EXPECT_EQ(report["failures"][0]["file"], path);
+  EXPECT_EQ(report["failures"][0]["replay"], "torse replay '" + path + "'");
+  EXPECT_THAT(slurp(runs_.scratch() / "junit"), HasSubstr("replay: torse replay '" + path + "'"));
+  const json found = json::parse(slurp(runs_.scratch() / "sarif"))["runs"][0]["results"][0];
+  EXPECT_EQ(found["locations"][0]["physicalLocation"]["artifactLocation"]["uri"],
+            "file://" + runs_.file("n%FF.cases/text.number-quick-3-17.json"));
+
+  const json all = json::parse(torse({"campaign", "show", runs_.file(name), "--json", "-"}).out);
+  EXPECT_EQ(all["campaign"], shown);
+  EXPECT_EQ(all["failures"][0]["replay"], "torse replay '" + shown + "'");
+  const json diff = json::parse(torse({"campaign", "diff", runs_.file(name), runs_.file(name), "--json", "-"}).out);
+  EXPECT_EQ(diff["a"], shown);
+  EXPECT_EQ(diff["b"], shown);
+  EXPECT_EQ(torse({"campaign", "merge", runs_.file("m\xFF"), runs_.file(name)}).out,
+            runs_.file("m\\xff") + ": 3 units added, 0 were there already\n");
+  EXPECT_THAT(torse({"replay", runs_.file(name)}).out, HasSubstr(shown + ", text.number, seed 3, quick effort\n"));
+}
+
+TEST_F(Campaign, NamesThatAreTooLongAreErrorsOfTheirFile) {
+  make_failing("a", true);
+  const std::string longest = runs_.file(std::string(300, 'x'));
+  const ProgramResult merged = torse({"campaign", "merge", longest, runs_.file("a")});
+  EXPECT_EQ(merged.exit, 2);
+  EXPECT_EQ(merged.out, "torse: error: " + longest + ": the database cannot be used: unable to open database file\n");
+  const ProgramResult exported = torse({"campaign", "export", runs_.file("a"), "-o", longest});
+  EXPECT_EQ(exported.exit, 2);
+  EXPECT_EQ(exported.out, "torse: error: " + longest + ": cannot be made: File name too long\n");
+}
+
 TEST_F(Campaign, WhatMakesNoSenseIsAnError) {
   spill(runs_.scratch() / "text", "no database");
   const std::string other = runs_.file("new");

@@ -195,6 +195,12 @@ TEST_F(Fit, UnrollsWhatItFits) {
   EXPECT_EQ(json::parse(slurp(scratch / "plate.json")).at("type"), "plate");
 }
 
+TEST_F(Fit, NamesOfPlatesThatAreNoUtf8AreWrittenWithEscapes) {
+  const json report = this->report(cylinder, {"--coefficients", "3", "--unroll", file("plate\xFF.svg")});
+  EXPECT_EQ(report.at("plate").at("files"), json::array({file("plate\\xff.svg")}));
+  EXPECT_THAT(slurp(scratch / "plate\xFF.svg"), HasSubstr("</svg>"));
+}
+
 TEST_F(Fit, TellsWhyThereIsNoPlate) {
   const ProgramResult result = run(skew, {"--unroll", file("plate.dxf"), "--json", file("report.json")});
   EXPECT_EQ(result.exit, 1);

@@ -178,6 +178,11 @@ TEST_F(Study, AutopsyNamesThePlantedOperation) {
   EXPECT_EQ(loss["index"], 2);
   EXPECT_EQ(loss["coordinate"], "y");
   EXPECT_THAT(run({"autopsy", path("planted.json")}).out, HasSubstr("d[2].y"));
+  std::filesystem::copy_file(path("planted.json"), path("p\xFF.json"));
+  const ProgramResult named = run({"autopsy", path("p\xFF.json"), "--json", "-"});
+  EXPECT_EQ(named.exit, 0) << named.err;
+  EXPECT_EQ(json::parse(named.out)["file"], path("p\\xff.json"));
+  EXPECT_THAT(run({"autopsy", path("p\xFF.json")}).out, HasSubstr(path("p\\xff.json") + ": "));
 }
 
 TEST_F(Study, RefusesWhatItCannotUse) {

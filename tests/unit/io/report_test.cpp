@@ -88,6 +88,17 @@ TEST(Report, SarifIsWhatItsSchemaAllows) {
   EXPECT_EQ(run["results"][3]["locations"][0]["physicalLocation"]["region"]["startLine"], 3);
 }
 
+TEST(Report, SarifShowsTheRulesThatAreNoUtf8) {
+  ReportCase odd = case_of(Outcome::failed, "odd");
+  odd.rule = "rule\xFF";
+  odd.rule_text = "text\xFF";
+  const json run = json::parse(sarif_report({odd, odd}, "1.2.3"))["runs"][0];
+  ASSERT_EQ(run["tool"]["driver"]["rules"].size(), 1U);
+  EXPECT_EQ(run["tool"]["driver"]["rules"][0]["id"], "rule\\xff");
+  EXPECT_EQ(run["tool"]["driver"]["rules"][0]["shortDescription"]["text"], "text\\xff");
+  EXPECT_EQ(run["results"][0]["ruleId"], "rule\\xff");
+}
+
 TEST(Report, JunitCountsEachOutcomeOnce) {
   const std::string xml = junit_report(all_outcomes());
   EXPECT_THAT(xml, HasSubstr("tests=\"5\" failures=\"1\" errors=\"2\" skipped=\"1\""));

@@ -277,7 +277,7 @@ TEST_F(Databases, AreAsTheyWereAfterAMergeThatFails) {
   for (const auto& [name, words] : last) {
     Store into(file("a"), Open::existing);
     EXPECT_NE(refusal(into, {file("b"), file(name)}).find(words), std::string::npos) << name;
-    EXPECT_EQ(testing::slurp(scratch_ / "a"), before) << name;
+    EXPECT_TRUE(testing::slurp(scratch_ / "a") == before) << name;
   }
 }
 
