@@ -73,8 +73,8 @@ void add_count(Tally& tally, const std::string& kind, const std::string& key, co
 Store::Store(const std::string& file, Database::Open how)
     : database_(opened(file, how)),
       find_series_(database_.prepare("SELECT id FROM series WHERE property = ? AND effort = ?")),
-      find_outdated_(database_.prepare("SELECT 1 FROM unit JOIN run ON run.id = run WHERE series = ? AND seed = ?"
-                                       " AND failed > 0 AND build <> (SELECT build FROM run WHERE id = ?)")),
+      find_outdated_(database_.prepare("SELECT 1 FROM unit WHERE series = ? AND seed = ? AND failed > 0 AND run NOT IN"
+                                       " (SELECT id FROM run WHERE build = (SELECT build FROM run WHERE id = ?))")),
       add_unit_(database_.prepare("INSERT INTO unit (series, seed, run, cases, failed, discarded, microseconds)"
                                   " VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING")),
       add_count_(database_.prepare("INSERT INTO met (series, seed, label, cases)"
@@ -207,8 +207,8 @@ std::int64_t Store::add_series(const Series& series) {
 bool Store::began_later(std::int64_t run, std::int64_t other) {
   return database_
       .prepare(
-          "SELECT 1 FROM run AS a, run AS b WHERE a.id = ? AND b.id = ? AND (a.started, a.token) > (b.started, "
-          "b.token)")
+          "SELECT 1 FROM run AS a, run AS b WHERE a.id = ? AND b.id = ?"
+          " AND (a.started, a.token) > (b.started, b.token)")
       .bind(run, other)
       .step();
 }

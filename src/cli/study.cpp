@@ -75,7 +75,7 @@ void read_shard(const std::string& text, studies::Task& task) {
   const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
   const auto second = slash ? std::from_chars(first.ptr + 1, end, k) : first;
   if (!slash || second.ec != std::errc() || second.ptr != end || i < 1 || k < i || k > 1'000'000) {
-    throw UsageError("--shard: expected i/k with 1 <= i <= k, found " + text);
+    throw UsageError("--shard: expected i/k with 1 <= i <= k, found " + printable(text));
   }
   task.shard = i - 1;
   task.shards = k;

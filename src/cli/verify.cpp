@@ -57,7 +57,7 @@ void read_shard(const std::string& text, proofs::Selection& selection) {
   const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
   const auto second = slash ? std::from_chars(first.ptr + 1, end, k) : first;
   if (!slash || second.ec != std::errc() || second.ptr != end || i < 1 || k < i) {
-    throw UsageError("--shard: expected i/k with 1 <= i <= k, found " + text);
+    throw UsageError("--shard: expected i/k with 1 <= i <= k, found " + printable(text));
   }
   selection.shard = i - 1;
   selection.shards = k;
