@@ -55,6 +55,21 @@ std::string printed(Print print) {
   return text;
 }
 
+TEST(CampaignReport, NamesOfADatabaseThatAreNoUtf8AreWrittenWithEscapes) {
+  SeriesReport odd = series(4);
+  odd.series = {"p\xFF", "q\xFF"};
+  odd.vacuous = "no case has weights";
+  odd.failures.front().series = odd.series;
+  const CaseFiles files{"d\xFF", ""};
+  const std::string text = printed([&](const Terminal& terminal) { print_failures(terminal, {odd}, files); });
+  EXPECT_EQ(text,
+            "vacuous: p\\xff, q\\xff effort: no case has weights\n"
+            "failed: p\\xff, seed 7, q\\xff effort: differs\n  replay: torse replay 'd\\xff'\n");
+  nlohmann::ordered_json json;
+  add_reports(json, {odd}, files);
+  EXPECT_EQ(nlohmann::ordered_json::parse(json.dump())["failures"][0]["property"], "p\\xff");
+}
+
 /// Values with 1, 2, ... cases each, named by their numbers of cases.
 void add_values(fuzz::Distribution& distribution, const std::string& key, std::uint64_t count) {
   for (std::uint64_t i = 1; i <= count; ++i) distribution.add(key, "v" + std::to_string(i), i);
