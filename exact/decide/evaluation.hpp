@@ -28,8 +28,7 @@ class PieceEvaluator {
   PieceEvaluator(int degree, const std::vector<Integer>& knots, std::span<const Vec<Rational, D>> c,
                  std::span<const Vec<Rational, D>> d, int k);
 
-  /// Whether the determinant is zero at a + i (b - a) for i = 0, 1, -1, 2, -2, ..., D(n-1) + 1 of them, and so
-  /// everywhere.
+  /// Whether the determinant is zero at a + i (b - a) for i = 0, 1, ..., D(n-1), and so everywhere.
   bool vanishes();
 
  private:

@@ -26,7 +26,10 @@ TEST(Binomial, SmallAndLarge) {
   EXPECT_EQ(binomial<Q>(5, 6), Q(0));
   EXPECT_EQ(binomial<Q>(61, 30), Q(232714176627630544));
   EXPECT_EQ(binomial<Q>(70, 35), Q(112186277816662845) * Q(1000) + Q(432));  // beyond 64 bits
-  for (int k = 1; k < 63; ++k) EXPECT_EQ(binomial<Q>(63, k) * Q(k), binomial<Q>(62, k - 1) * Q(63)) << k;
+  for (int n = 62; n <= 80; ++n) {
+    EXPECT_EQ(binomial<Q>(n, 0), Q(1));
+    for (int k = 1; k <= n; ++k) EXPECT_EQ(binomial<Q>(n, k) * Q(k), binomial<Q>(n - 1, k - 1) * Q(n)) << n << ' ' << k;
+  }
 }
 
 TEST(Bernstein, ValueByHand) {  // 1 - 2t + 3t^2 has the coefficients 1, 0, 2

@@ -308,6 +308,32 @@ TEST(Classify, EveryCoordinateOfTheRowsHasTheRatio) {
   EXPECT_EQ(made.classified().kind, SurfaceClass::tangent);
 }
 
+/// Degree 1, every cell in a plane through the vertex: the rulings pass through it while one ratio lasts, and again
+/// behind the cell in which it changes, but not there.
+TEST(Classify, ARatioThatChangesAtDegreeOne) {
+  const std::vector<Point3> c{point(1, 0, 0),  point(0, 2, 1),  point(-1, 1, 3),
+                              point(2, -1, 1), point(3, 3, -2), point(5, 1, 1)};
+  const Point3 vertex = point(1, 1, 1);
+  const auto kind = [&](const std::vector<int>& ratios) {
+    std::vector<Point3> d;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      d.push_back(vertex);
+      add_scaled(d.back(), Q(ratios[i]), c[i]);
+      add_scaled(d.back(), Q(-ratios[i]), vertex);
+    }
+    const std::vector<Q> ones(c.size(), Q(1));
+    const Net made{KnotList<Q>(1, {Q(0), Q(1), Q(2), Q(3), Q(4), Q(5)}), {c, ones}, {d, ones}};
+    EXPECT_TRUE(made.developable());
+    return made.classified().kind;
+  };
+  EXPECT_EQ(kind({2, 2, 2, 2, 2, 2}), SurfaceClass::cone);
+  for (std::size_t change = 1; change < c.size(); ++change) {
+    std::vector<int> ratios(c.size(), 2);
+    for (std::size_t i = change; i < ratios.size(); ++i) ratios[i] = 3;
+    EXPECT_EQ(kind(ratios), SurfaceClass::tangent) << change;
+  }
+}
+
 TEST(Classify, EveryClassHasItsWord) {
   EXPECT_EQ(name_of(SurfaceClass::plane), "plane");
   EXPECT_EQ(name_of(SurfaceClass::cylinder), "cylinder");

@@ -130,6 +130,11 @@ TEST(Directrix, OverdeterminedSystems) {
   EXPECT_EQ(value, none.contradiction->value);
   EXPECT_NE(value, point(0, 0, 0));
 
+  // b tau' = (1 + u^3) tau' is tau' in all Bernstein coefficients but the last.
+  const std::vector<Point3> line{point(0, 0, 0), point(1, 2, 3)};
+  EXPECT_TRUE(solve(line, {bernstein({0}), bernstein({1, 1, 1, 2})}).contradiction);
+  EXPECT_FALSE(solve(line, {bernstein({0}), bernstein({1, 1, 1, 1})}).contradiction);
+
   // tau = u v + w with a = 1 + u, b = u^2 - u: a tau + b tau' = 2 u^2 v + (1 + u) w, the derivative of a cubic.
   const Equation quadratic{bernstein({1, 2}), Bernstein<Q>({Q(0), ratio<Q>(-1, 2), Q(0)})};
   const Point3 v = point(1, 2, -1);

@@ -43,6 +43,10 @@ TEST(LinearNet, NamesWhatIsWrong) {
   for (int m : {0, 1, 2}) {
     EXPECT_EQ(place_of([&] { return linear_net<Q, Point3>(u, c, Q(7), Q(m), c[0]); }), "M");
   }
+  const KnotList<Q> unclamped = knots(2, {0, 1, 2, 4, 7});
+  for (int m : {0, 1, 2, 4, 7}) {
+    EXPECT_EQ(place_of([&] { return linear_net<Q, Point3>(unclamped, c, Q(9), Q(m), c[0]); }), "M");
+  }
   EXPECT_EQ(place_of([&] { return linear_net<Q, Point3>(u, points(3), Q(7), Q(5), c[0]); }), "points");
   EXPECT_EQ(place_of([&] { return linear_net<Q, Point3>(u, c, Q(1), Q(5), c[0]); }), "");
   for (const auto& [k, place] : {std::pair{-1, "k"}, {4, "k"}, {0, ""}, {3, ""}}) {

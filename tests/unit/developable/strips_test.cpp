@@ -62,6 +62,16 @@ TEST(QuadDeviation, ReachesTheMiddleOfTheLongerDiagonal) {
   }
 }
 
+/// A flat quadrangle with a corner that points inwards, which is any of the four: (3/2, 3/2), on a triangle of one of
+/// the diagonals, is 1.5 / sqrt(5) away from all segments.
+TEST(QuadDeviation, OfAQuadrangleWithACornerThatPointsInwards) {
+  std::array around{point(0, 0, 0), point(3, 0, 0), point(1, 1, 0), point(0, 3, 0)};
+  for (int turn = 0; turn < 4; ++turn) {
+    EXPECT_GE(quad_deviation(around[0], around[1], around[3], around[2]), 1.5 / std::sqrt(5.0)) << turn;
+    std::rotate(around.begin(), around.begin() + 1, around.end());
+  }
+}
+
 /// The bound is as large as the quadrangle, whatever it looks like: lifted, seen convex or not, folded, flat.
 TEST(QuadDeviation, ScalesWithTheQuadrangle) {
   std::mt19937 random(5);

@@ -64,6 +64,12 @@ TEST(NegativePlace, BesideADoubleZero) {
   EXPECT_FALSE(negative_place(twice * constant(-1) * root(Q(1) + least)));
 }
 
+TEST(NegativePlace, BetweenAZeroAndAnEnd) {
+  const Q least = Q::from_double(0x1p-14);
+  expect_between(constant(-1) * root(q(1)) * root(Q(1) - least) * constant(-1), Q(1) - least, q(1));
+  expect_between(root(q(0)) * root(least), q(0), least);
+}
+
 TEST(NegativePlace, BetweenZerosThatAreNearlyOne) {
   const Q a = q(1, 3);
   const Q b = a + Q::from_double(0x1p-200);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "torse/exact/roots/integer_polynomial.hpp"
@@ -153,6 +154,24 @@ TEST(RealRoots, AsManyAsSturmCounts) {
 }
 
 /// A linear factor with numbers of thousands of digits, which no short fraction comes near.
+/// One change of sign, so one positive root (Descartes); at 1.25 of the least that the coefficients allow.
+TEST(RealRoots, TheOnlyPositiveOneWhereItIsLarge) {
+  const std::vector<RealRoot> roots = real_roots({q("-7"), q("-7"), q("-7"), q("-7"), q("-7"), q("0"), q("16")}, 20);
+  EXPECT_EQ(std::ranges::count_if(roots, [](const RealRoot& x) { return x.upper.sign() > 0; }), 1);
+  for (int degree = 2; degree <= 12; ++degree) {
+    for (int lead = 1; lead <= 4096; lead *= 2) {
+      for (const bool reversed : {false, true}) {
+        std::vector<Rational> f(static_cast<std::size_t>(degree), Rational(-7));
+        f.emplace_back(lead);
+        if (reversed) std::ranges::reverse(f);
+        const std::vector<RealRoot> found = real_roots(f, 20);
+        EXPECT_EQ(std::ranges::count_if(found, [](const RealRoot& x) { return x.upper.sign() > 0; }), 1)
+            << degree << ' ' << lead;
+      }
+    }
+  }
+}
+
 TEST(RealRoots, RationalOnesOfAnyHeight) {
   const Rational x = (power_of_ten(3000) + Rational(7)) / (power_of_ten(2999) * Rational(3) + Rational(1));
   const std::vector<RealRoot> roots = real_roots(product({-x, Rational(1)}, {q("-11"), q("0"), q("1")}), 8);

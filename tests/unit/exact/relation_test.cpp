@@ -86,5 +86,16 @@ TEST(RelationProver, ChecksTheCellsOfEveryPiece) {
   for (int k = 9; k > 0; --k) EXPECT_TRUE(backwards.prove(k)) << k;
 }
 
+/// Pieces that share no cell: d = c + v before an n-fold knot and c + w behind it, but for the first cell there.
+TEST(RelationProver, BeginsAnewBehindAKnotOfFullMultiplicity) {
+  const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2)});
+  const std::vector<Point3> c = points(5);
+  std::vector<Point3> d;
+  for (std::size_t i = 0; i < 5; ++i) d.push_back(sum(c[i], i < 3 ? point(1, 5, 2) : point(3, -1, 1)));
+  EXPECT_EQ(proved<3>(u, c, d), (std::vector<bool>{true, false}));
+  d[2] = sum(c[2], point(3, -1, 1));
+  EXPECT_EQ(proved<3>(u, c, d), (std::vector<bool>{false, true}));
+}
+
 }  // namespace
 }  // namespace torse::test

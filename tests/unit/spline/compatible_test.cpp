@@ -86,6 +86,18 @@ TEST(Compatible, CurvesThatShareTheirKnotsAreLeftAsTheyAre) {
   EXPECT_EQ(d.control.size(), cubic().control.size());
 }
 
+/// The papers' list of a line in two pieces is that of a parabola in one.
+TEST(Compatible, OneListOfKnotsForTwoDegreesIsNotOne) {
+  const std::vector<Q> list{q(0), q(1), q(2), q(3)};
+  const Curve line{KnotList<Q>(1, list), {p(0, 0), p(3, 1), p(4, -2), p(5, 0)}};
+  const Curve bow{KnotList<Q>(2, list), {p(0, 2), p(3, 1), p(4, 5)}};
+  const auto [c, d] = make_compatible(line, bow);
+  EXPECT_EQ(c.knots.degree(), 2);
+  EXPECT_EQ(c.knots.list(), d.knots.list());
+  EXPECT_EQ(c.control.size(), d.control.size());
+  expect_same(value(d, q(3, 2)), value(bow, q(3, 2)));  // over [0, 3] now: 3/2 is the middle
+}
+
 /// Boehm's algorithm makes the same vertices, one knot after the other.
 TEST(Refinement, IsTheInsertionOfEachKnot) {
   const Curve coarse = restrict_spline(cubic(), q(0), q(3));
