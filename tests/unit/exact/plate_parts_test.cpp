@@ -51,6 +51,16 @@ TEST(PlateDeviation, OfStraightRailsIsThatOfTheirVertices) {
   }
 }
 
+TEST(PlateOutline, EveryEdgeHasItsOwnSlack) {
+  Plate plate{};
+  plate.c.points = {{0, 0}, {1, 0}, {2, 0}};
+  plate.d.points = {{0, 1}, {1, 1}, {2, 1}};
+  plate.c.deviation = {0.1, 0.2};
+  plate.d.deviation = {0.3, 0.4};
+  plate.vertex_error = 0.05;
+  EXPECT_EQ(outline_of(plate).slack, (std::vector<double>{0.1, 0.2, 0.05, 0.4, 0.3, 0.05}));
+}
+
 TEST(PlateRulings, AreMarkedInAnyOrder) {
   const KnotList<Q> u = bezier_knots<Q>(1);
   const auto strips = piece_strips(u, rows({{0, 0, 0}, {1, 2, 0}}), rows({{0, 3, 0}, {2, 4, 0}}));

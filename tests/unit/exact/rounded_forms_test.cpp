@@ -53,6 +53,18 @@ void expect_enclosed(const RoundedForms<K>& x, int j, const BinaryForm<Q>& value
   }
 }
 
+/// 2^-600 times itself is 2^-1200, which is 0 in doubles, but not in the bound.
+TEST(RoundedForms, WhatUnderflowsIsInTheRadius) {
+  RoundedForms<3> x(2);
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i <= 2; ++i) x.at(j, i) = std::ldexp(1.0 + i, -600 - j);
+  }
+  x.close(0);
+  const RoundedForms<1> square = rounded_dot(x, x);
+  for (int i = 0; i <= 4; ++i) EXPECT_EQ(square.at(0, i), 0);
+  EXPECT_GT(square.radius(), 0);
+}
+
 TEST(RoundedForms, EncloseTheExactProducts) {
   std::mt19937_64 rng(4);
   int inexact = 0;

@@ -44,5 +44,16 @@ TEST(Obstacles, AreNamedWithTheirParameters) {
   EXPECT_THAT(find_obstacles(tangent_surface().strips()), SizeIs(0));
 }
 
+/// Two triangles at a common corner. A ruling of length zero at either end of the surface is none.
+TEST(Obstacles, ARulingOfLengthZeroAtAKnotInside) {
+  const KnotList<Q> u(1, {Q(0), Q(1), Q(2)});
+  const Surface bow{u, rows({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), rows({{0, 1, 0}, {1, 0, 0}, {2, 1, 0}})};
+  const auto [reason, place] = first_obstacle(bow);
+  EXPECT_EQ(reason, Singularity::vanishing);
+  EXPECT_EQ(place, (std::array<double, 2>{1, 1}));
+  const Surface roof{u, rows({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), rows({{0, 0, 0}, {1, 1, 0}, {2, 0, 0}})};
+  EXPECT_THAT(find_obstacles(roof.strips()), SizeIs(0));
+}
+
 }  // namespace
 }  // namespace torse::test

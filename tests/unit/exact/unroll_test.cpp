@@ -85,6 +85,17 @@ TEST(Plate, APlaneStaysAsItIs) {
   EXPECT_EQ(plate.overlap.verdict, Truth::no);
 }
 
+/// One rail straight, the other one not: each is drawn as finely as it needs.
+TEST(Plate, ToleranceOfEitherRail) {
+  const Rows line = rows({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
+  const Rows wave = rows({{0, 2, 0}, {1, 4, 0}, {2, 1, 0}, {3, 3, 0}});
+  for (const Surface& surface : {bezier(line, wave), bezier(wave, line)}) {
+    const Plate plate = surface.plate(1e-4);
+    expect_sound(surface, plate);
+    EXPECT_LE(plate.deviation, 1e-4);
+  }
+}
+
 /// x' = (2t^2 - 1)^2: both rails run along their ruling at the irrational t = 1/sqrt(2).
 TEST(Plate, ARulingWhereBothRailsRunAlongIt) {
   Rows exact(6);

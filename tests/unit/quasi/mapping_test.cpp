@@ -99,6 +99,10 @@ TEST(Mapping, ConstantPiecesAreNotStrict) {
   EXPECT_EQ(strictly_monotone(with(u, {0, 1, 1, 2, 2})), Truth::yes);
   EXPECT_EQ(monotone(with(u, {0, 1, 1, 1, 2})), Truth::yes);
   EXPECT_EQ(strictly_monotone(with(u, {0, 2, 1, 1, 2})), Truth::no);
+  for (const std::vector<int>& level : {std::vector<int>{0, 1, 1, 1}, {0, 0, 1, 1}, {0, 0, 0, 1}}) {
+    EXPECT_EQ(strictly_monotone(with(bezier_knots<Q>(3), level)), Truth::yes);
+  }
+  EXPECT_EQ(strictly_monotone(with(bezier_knots<Q>(3), {1, 1, 1, 1})), Truth::no);
 }
 
 TEST(Mapping, NumbersOfCoefficientsMustFit) { EXPECT_THROW(with(knots(2, {0, 0, 1, 1}), {0, 1}), InvalidInput); }
