@@ -133,6 +133,28 @@ TEST(CutStrips, NormalsAtBothEndsOfBothRails) {
   }
 }
 
+/// Squares with the rails along each axis.
+TEST(CutStrips, NormalsOfRailsAlongAnAxis) {
+  for (std::size_t along = 0; along < 3; ++along) {
+    const auto at = [&](int rail, int ruling) {
+      std::array<int, 3> x{};
+      x[along] = rail;
+      x[(along + 1) % 3] = ruling;
+      return point(x[0], x[1], x[2]);
+    };
+    const RuledArcs arcs{{piece({at(0, 0), at(1, 0)}, {at(0, 1), at(1, 1)})}, 0};
+    const auto strips = cut_strips(arcs, 1, MeshPrecision::double_float);
+    ASSERT_EQ(strips.size(), 1U);
+    MeshVector normal{};
+    normal[(along + 2) % 3] = 1;
+    for (const auto& normals : {strips[0].c_normal, strips[0].d_normal}) {
+      ASSERT_TRUE(normals[0] && normals[1]) << along;
+      EXPECT_EQ(*normals[0], normal);
+      EXPECT_EQ(*normals[1], normal);
+    }
+  }
+}
+
 /// The parabola (0, 0), (1, 1), (2, 0) and the same 1 higher, by weights 1, r, r^2: it runs through its parameter in
 /// the last r of [0, 1], and all before is near its begin. For r = 2^-30 that takes some 30 halvings, of the right half
 /// every time.

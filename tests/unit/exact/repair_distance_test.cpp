@@ -53,6 +53,15 @@ TEST(RepairDistance, OfSmallNets) {
   EXPECT_NEAR(distance.root_mean_square, std::ldexp(1, -50) / std::sqrt(6), 1e-28);
 }
 
+/// Below 2^-1022 the unit does not get smaller.
+TEST(RepairDistance, UnitsOfSubnormalCoordinates) {
+  const Q least = repair::power_of_two(-1074);
+  const RuledRows before = polynomial({2, Point3(least * Q(5), Q(0), Q(0))}, {2, Point3(Q(0), Q(0), Q(0))});
+  RuledRows after = before;
+  after.c.points[1][0] += least * Q(3);
+  EXPECT_EQ(distance_between(before, after).ulps, 3);
+}
+
 /// All points in one: there is no length to compare with, and no unit where all coordinates are 0.
 TEST(RepairDistance, OfNetsWithoutExtent) {
   const RuledRows before = polynomial({2, Point3(Q(0), Q(0), Q(0))}, {2, Point3(Q(0), Q(0), Q(0))});

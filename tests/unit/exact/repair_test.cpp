@@ -43,6 +43,10 @@ TEST(Repair, FindsTheNetBehindErrors) {
       // rounding, 1 %; between rows the distance counts weights too, which the errors left alone.
       EXPECT_LE(found->distance.root_mean_square, has_weights(sample.rows) ? 3 * error : 1.01 * error);
       EXPECT_GT(found->distance.root_mean_square, 0);
+      if (!found->constants.empty()) {
+        EXPECT_EQ(found->constants.front().from, sample.u.domain_begin());
+        EXPECT_EQ(found->constants.back().to, sample.u.domain_end());
+      }
       EXPECT_FALSE(same(found->rows, given));
       if (sample.family == NetFamily::plane) {
         EXPECT_EQ(classify<Q>(sample.u, homogeneous(found->rows.c), homogeneous(found->rows.d)).kind,
@@ -51,6 +55,45 @@ TEST(Repair, FindsTheNetBehindErrors) {
       }
     }
   }
+}
+
+/// Weights in the second row only.
+TEST(Repair, OfAPolynomialRailAndARationalOne) {
+  const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(2), Q(3), Q(3)});
+  std::vector<Row4> p;
+  for (const Point3& x : row(u.last() + 1, 5)) p.push_back(Row4(Q(1), x[0], x[1], x[2]));
+  const RuledRows exact =
+      rational(p, rational_net<Q, Row4>(u, p, q(-7, 2), q(-9, 4), q(5, 4), Row4(Q(1), Q(1), Q(-3), Q(7))));
+  ASSERT_FALSE(has_weights(exact));
+  ASSERT_NE(exact.d.weights, ones(exact.d.weights.size()));
+  const RuledRows given = noisy(exact, -40, 7);
+  const auto found = nearest_developable(u, given);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->family, NetFamily::constant);
+  EXPECT_LE(found->distance.root_mean_square, 3 * distance_between(given, exact).root_mean_square);
+}
+
+/// Twenty parts between double knots, each with constants of its own: the share of the error that rounding them may
+/// add is that of all together.
+TEST(Repair, OfManyParts) {
+  std::vector<Q> list;
+  for (int i = 0; i <= 20; ++i) list.insert(list.end(), 2, Q(i));
+  const KnotList<Q> u(2, list);
+  const std::vector<Point3> c = row(u.last() + 1, 3);
+  std::vector<Point3> d{Point3(Q(1), Q(-3), Q(7))};
+  for (std::size_t part = 0; part < 20; ++part) {
+    const std::span<const Point3> own = std::span(c).subspan(2 * part, 3);
+    const auto next =
+        linear_net<Q, Point3>(bezier_knots<Q>(2), own, Q(-3) - q(static_cast<int>(part), 7), Q(-2), d.back());
+    d.insert(d.end(), next.begin() + 1, next.end());
+  }
+  const RuledRows exact = polynomial(c, d);
+  ASSERT_TRUE(developable(u, exact));
+  const RuledRows given = noisy(exact, -16, 9);
+  const auto found = nearest_developable(u, given);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->constants.size(), 20U);
+  EXPECT_LE(found->distance.root_mean_square, 1.01 * distance_between(given, exact).root_mean_square);
 }
 
 TEST(Repair, LeavesDevelopableNetsAlone) {
