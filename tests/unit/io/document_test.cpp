@@ -120,6 +120,7 @@ TEST(Document, ExponentsAreLimitedTogether) {
   EXPECT_EQ(exponent_bits("1e-300"), 999U);
   EXPECT_EQ(exponent_bits("-1.5E+3"), 9U);
   EXPECT_EQ(exponent_bits("0x1.8p-52"), 52U);
+  EXPECT_EQ(exponent_bits("0x1P100"), 100U);
   EXPECT_EQ(exponent_bits("1e99999999999999999999"), 66600U);
   for (const char* none : {"", "12", "-12", "+", "e", "2/3", "name", "line-7", "1e", "0x1.ff"}) {
     EXPECT_EQ(exponent_bits(none), 0U) << none;

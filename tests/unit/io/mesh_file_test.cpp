@@ -220,6 +220,30 @@ TEST(MeshFile, GltfHasNamesTrianglesAndNormals) {
   }
 }
 
+/// Two triangles at a kink: the points of the edge between them have two normals each, and are two vertices.
+TEST(MeshFile, GltfHasAVertexForEachNormalOfAPoint) {
+  TriangleMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.normals = {{0, 0, 1}, {0, 1, 0}};
+  mesh.triangles = {{{{0, 0}, {1, 0}, {2, 0}}}, {{{1, 1}, {0, 1}, {3, 1}}}};
+  const json gltf = json::parse(gltf_text({{"kink", mesh}}));
+  const std::string uri = gltf.at("buffers").at(0).at("uri");
+  const Bytes buffer(from_base64(uri.substr(uri.find(',') + 1)));
+  const json primitive = gltf.at("meshes").at(0).at("primitives").at(0);
+  const auto begin = [&](const json& index) {
+    return gltf.at("bufferViews")
+        .at(gltf.at("accessors").at(index.get<std::size_t>()).at("bufferView").get<std::size_t>())
+        .at("byteOffset")
+        .get<std::size_t>();
+  };
+  for (std::size_t j = 0; j < 6; ++j) {
+    const std::size_t vertex = buffer.word(begin(primitive.at("indices")) + 4 * j);
+    const MeshCorner& corner = mesh.triangles[j / 3][j % 3];
+    EXPECT_EQ(buffer.vector(begin(primitive.at("attributes").at("POSITION")) + 12 * vertex), mesh.points[corner.point]);
+    EXPECT_EQ(buffer.vector(begin(primitive.at("attributes").at("NORMAL")) + 12 * vertex), mesh.normals[corner.normal]);
+  }
+}
+
 TEST(MeshFile, GlbIsTheSameSceneInChunks) {
   const std::vector<NamedMesh> meshes = single_meshes();
   const Bytes glb(glb_bytes(meshes));

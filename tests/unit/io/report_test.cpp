@@ -88,6 +88,16 @@ TEST(Report, SarifIsWhatItsSchemaAllows) {
   EXPECT_EQ(run["results"][3]["locations"][0]["physicalLocation"]["region"]["startLine"], 3);
 }
 
+TEST(Report, SarifNamesTheFileByAUri) {
+  ReportCase odd = case_of(Outcome::failed, "odd");
+  for (const auto& [file, uri] :
+       {std::pair{"a%20b c.json", "a%2520b%20c.json"}, {"/a:b\xC3\xA9", "file:///a%3Ab%C3%A9"}}) {
+    odd.file = file;
+    const json run = json::parse(sarif_report({odd}, "1.2.3"))["runs"][0];
+    EXPECT_EQ(run["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], uri);
+  }
+}
+
 TEST(Report, SarifShowsTheRulesThatAreNoUtf8) {
   ReportCase odd = case_of(Outcome::failed, "odd");
   odd.rule = "rule\xFF";

@@ -27,6 +27,7 @@ TEST(Printable, ShowsBytesThatAreNoText) {
   EXPECT_EQ(printable("\xC2"), "\\xc2");
   EXPECT_EQ(printable("\xC1\xBF"), "\\xc1\\xbf") << "an ASCII letter in two bytes";
   EXPECT_EQ(printable("\xE0\x9F\xBF"), "\\xe0\\x9f\\xbf") << "two bytes would do";
+  EXPECT_EQ(printable("\xF0\x8F\xBF\xBF"), "\\xf0\\x8f\\xbf\\xbf") << "three bytes would do";
   EXPECT_EQ(printable("\xED\xA0\x80"), "\\xed\\xa0\\x80") << "half of a pair of UTF-16";
   EXPECT_EQ(printable("\xF4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80") << "beyond the last character";
   EXPECT_EQ(printable("\xE2\x82x"), "\\xe2\\x82x");
