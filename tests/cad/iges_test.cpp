@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
+#include <tuple>
 
 #include "cad/iges_text.hpp"
 #include "support/program.hpp"
@@ -232,6 +233,22 @@ TEST_F(Iges, ACurveEndsWhereItsRangeEnds) {
   EXPECT_EQ(doubles(read[0].surface->c.points.front()), (std::vector<double>{2, 0.5, 0}));
   EXPECT_EQ(doubles(read[0].surface->c.points.back()), (std::vector<double>{6, 4.5, 0}));
   EXPECT_EQ(doubles(read[0].surface->d.points.back()), (std::vector<double>{8, 8, 1}));
+}
+
+/// The same curve from its begin, or to its end.
+TEST_F(Iges, ACurveWithOneEndMoved) {
+  const std::string points = "0.,0.,0.,4.,0.,0.,8.,8.,0.";
+  for (const auto& [range, from, to] :
+       {std::tuple{"0.,0.75", 0.0, 6.0}, std::tuple{"0.25,1.", 2.0, 8.0}, std::tuple{"0.,1.", 0.0, 8.0}}) {
+    IgesText iges;
+    const int part = iges.add(126, "2,2,0,0,0,0,0.,0.,0.,1.,1.,1.,1.,1.,1.," + points + "," + range + ",0.,0.,0.",
+                              {.dependent = true});
+    iges.ruled(part, iges.bezier(2, "1.,1.,1.", "0.,0.,1.,4.,0.,1.,8.,8.,1."), 0, 0, {.form = 1});
+    const std::vector<cli::Face> read = faces(iges);
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_EQ(doubles(read[0].surface->c.points.front())[0], from) << range;
+    EXPECT_EQ(doubles(read[0].surface->c.points.back())[0], to) << range;
+  }
 }
 
 TEST_F(Iges, TheMatrixOfASurfaceComesBeforeThatOfItsFace) {

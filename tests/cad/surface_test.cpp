@@ -302,6 +302,22 @@ TEST(CadSurfaces, ATrimmedSurfaceIsThePartOfIt) {
   expect_strip(face.strips[0], on(whole, {0.25, 0.75}, 0.25), on(whole, {0.25, 0.75}, 0.5));
 }
 
+TEST(CadSurfaces, TrimmedAtOneEndOnly) {
+  const Handle(Geom_Surface) whole = arch({1, 1, 1, 1, 1, 1});
+  const CadRange all{0, 1};
+  for (const CadRange part : {CadRange{0.25, 1}, CadRange{0, 0.75}}) {
+    for (const bool along_u : {true, false}) {
+      const CadRange u = along_u ? part : all;
+      const CadRange v = along_u ? all : part;
+      const CadFace face = face_of(whole, Box{u, v});
+      EXPECT_TRUE(face.trimmed);
+      ASSERT_EQ(face.strips.size(), 1U);
+      expect_strip(face.strips[0], on(whole, u, v.from), on(whole, u, v.to));
+    }
+  }
+  EXPECT_FALSE(face_of(whole, Box{all, all}).trimmed);
+}
+
 /// A tube around z and one around x: closed along u, or along v, where the other direction has degree 1.
 TEST(CadSurfaces, PeriodicSurfacesAreOpened) {
   for (const bool along_u : {true, false}) {
