@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -132,6 +133,30 @@ TEST_F(Step, KnotsThatTheKindImplies) {
   EXPECT_EQ(knots("BEZIER_SURFACE"), "0 0 1 1 2 2 ");
   EXPECT_EQ(knots("QUASI_UNIFORM_SURFACE"), "0 0 1 2 3 3 ");
   EXPECT_EQ(knots("UNIFORM_SURFACE"), "1 2 3 4 5 6 ");
+}
+
+/// The same kinds with weights, in the order of their names, as complex entities are.
+TEST_F(Step, WeightsOfSurfacesWhoseKindImpliesTheirKnots) {
+  for (const std::string kind : {"BEZIER_SURFACE", "QUASI_UNIFORM_SURFACE", "UNIFORM_SURFACE"}) {
+    StepText step;
+    std::vector<std::vector<std::string>> rows;
+    for (const char* x : {"0.", "1.", "2."}) rows.push_back({x + std::string(",0.,0."), x + std::string(",0.,1.")});
+    std::vector<std::string> parts{"BOUNDED_SURFACE()",
+                                   "B_SPLINE_SURFACE(2,1," + step.net(rows) + ",.UNSPECIFIED.,.F.,.F.,.F.)",
+                                   "GEOMETRIC_REPRESENTATION_ITEM()",
+                                   kind + "()",
+                                   "RATIONAL_B_SPLINE_SURFACE(((1.,2.),(3.,4.),(5.,6.)))",
+                                   "REPRESENTATION_ITEM('')",
+                                   "SURFACE()"};
+    std::ranges::sort(parts);
+    std::string entity;
+    for (const std::string& part : parts) entity += (entity.empty() ? "(" : " ") + part;
+    const auto read = faces(alone(step, step.add(entity + ")")));
+    ASSERT_EQ(read.size(), 1U) << kind;
+    ASSERT_TRUE(read[0].surface) << kind;
+    EXPECT_EQ(read[0].surface->c.weights, (std::vector<Rational>{Rational(1), Rational(3), Rational(5)})) << kind;
+    EXPECT_EQ(read[0].surface->d.weights, (std::vector<Rational>{Rational(2), Rational(4), Rational(6)})) << kind;
+  }
 }
 
 TEST_F(Step, ElementarySurfacesAreExactlyWhatTheyAre) {
