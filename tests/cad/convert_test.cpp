@@ -155,6 +155,22 @@ std::vector<std::vector<double>> entities_of(const std::string& text, int type) 
 
 std::vector<std::vector<double>> curves_of(const std::string& text) { return entities_of(text, 126); }
 
+/// Field 20 of the global section; the first one, "1H,", has a comma of its own.
+TEST_F(ConvertCad, IgesNamesItsLargestCoordinate) {
+  const Net net{1, {0, 1}, {{-5, -1, 0}, {-3, -1, 0}}, {{-5, -1, 2}, {-3, -1, 2}}, {1, 1}, {1, 1}};
+  report(net.file(), "a.igs");
+  std::istringstream lines(slurp(path("a.igs")));
+  std::string global;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() >= 73 && line[72] == 'G') global += line.substr(0, 72);
+  }
+  std::vector<std::string> fields;
+  std::istringstream list(global);
+  for (std::string field; std::getline(list, field, ',');) fields.push_back(field);
+  ASSERT_GT(fields.size(), 20U);
+  EXPECT_EQ(std::strtod(fields[20].c_str(), nullptr), 5) << global;
+}
+
 TEST_F(ConvertCad, IgesHoldsTwoCurvesOfEqualKnots) {
   const Net net = random_net(9, true);
   report(net.file(), "a.igs");

@@ -1,8 +1,11 @@
-// Where a face stands, as an affine map of its numbers.
+// Where a face stands, as an affine map of its numbers, and how finely its ends are told apart.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
@@ -23,6 +26,19 @@ TEST(Placement, ScalesTheFaceAndNotItsPlace) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 4; ++j) EXPECT_NEAR(placement[i][j], expected[i][j], 1e-14) << i << j;
   }
+}
+
+/// A rectangle of 1000 by 1 over the unit square: a step of the tolerance is shorter in u.
+TEST(Box, HasAResolutionForEachParameter) {
+  TColgp_Array2OfPnt poles(1, 2, 1, 2);
+  for (int i = 1; i <= 2; ++i) {
+    for (int j = 1; j <= 2; ++j) poles.SetValue(i, j, gp_Pnt(1000 * (i - 1), j - 1, 0));
+  }
+  const BRepBuilderAPI_MakeFace face(new Geom_BezierSurface(poles), 1e-7);
+  const std::optional<Box> box = box_of(face.Face(), 1e-3);
+  ASSERT_TRUE(box);
+  EXPECT_NEAR(box->u_resolution, 1e-6, 1e-8);
+  EXPECT_NEAR(box->v_resolution, 1e-3, 1e-5);
 }
 
 }  // namespace
