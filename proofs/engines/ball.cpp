@@ -5,18 +5,16 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "torse/exact/ball/ball.hpp"
-#include "torse/proofs/engines/engine.hpp"
+#include "torse/proofs/engines/cases.hpp"
 #include "torse/proofs/sources.hpp"
 #include "torse/proofs/table.hpp"
 
 namespace torse::proofs {
 
 namespace {
-
-using Box = Ball<128>;
 
 Box widened(const Box& point) {
   const double radius = std::ldexp(1.0, -40);
@@ -27,7 +25,7 @@ Box widened(const Box& point) {
 struct Tally {
   double widest = 0;
   long bounded = 0;
-  long wide = 0;  ///< differences that are not finite: a division by a ball around zero
+  long wide = 0;  ///< differences that are not finite, a division by a ball around zero, and runs that throw
   long positive = 0;
   long unsure = 0;
   std::string refutation;
@@ -55,10 +53,17 @@ void look_at(const Equations<Box>& equations, Tally& tally) {
   }
 }
 
+/// Why they have shown nothing, or nothing.
+std::string why_nothing(const Tally& tally, const Finding& finding) {
+  if (finding.sizes.empty()) return no_size;
+  if (finding.trials == 0) return "no box meets the hypotheses";
+  if (tally.bounded == 0 && tally.wide > 0) return "no difference is bounded";
+  return tally.bounded + tally.positive + tally.unsure == 0 ? "nothing asserted" : "";
+}
+
 }  // namespace
 
-Finding run_ball(std::size_t index, const Plan& plan) {
-  const ClaimCase<Box>& claim = claim_cases<Box>()[index];
+Finding judge_ball(const ClaimCase<Box>& claim, const Plan& plan) {
   Finding finding = open_finding(*claim.info, "ball", plan);
   if (claim.info->kind == Kind::example) return finding;
   const int trials = plan.effort == Effort::quick ? 4 : plan.effort == Effort::standard ? 12 : 60;
@@ -69,12 +74,17 @@ Finding run_ball(std::size_t index, const Plan& plan) {
       DyadicSource<Box> source(seed_of(plan.seed, task, static_cast<std::uint64_t>(trial)), widened);
       Sample<Box> sample;
       bool admitted = true;
-      claim.run(source, size, Mutant(plan.mutant), sample, [&](const NonZero<Box>& nonzero) {
+      const auto begin = [&](const NonZero<Box>& nonzero) {
         for (const auto& factors : nonzero) {
           for (const Box& factor : factors) admitted = admitted && !possibly(is_zero(factor));
         }
         return admitted;
-      });
+      };
+      try {
+        claim.run(source, size, Mutant(plan.mutant), sample, begin);
+      } catch (const Error&) {
+        ++tally.wide;
+      }
       if (!admitted) {
         ++finding.discards;
         continue;
@@ -90,11 +100,7 @@ Finding run_ball(std::size_t index, const Plan& plan) {
     }
     finding.sizes.push_back(size);
   }
-  if (tally.wide > 0 && tally.bounded == 0) {
-    finding.status = Status::gave_up;
-    finding.detail = "no difference is bounded";
-    return finding;
-  }
+  if (const std::string why = why_nothing(tally, finding); !why.empty()) return gave_up(std::move(finding), why);
   char text[160];
   if (tally.positive + tally.unsure > 0) {
     std::snprintf(text, sizeof text, "positive on %ld boxes, undecided on %ld; widest difference 2^%.0f",
@@ -102,9 +108,11 @@ Finding run_ball(std::size_t index, const Plan& plan) {
   } else {
     std::snprintf(text, sizeof text, "%ld boxes, widest difference 2^%.0f", finding.trials, std::log2(tally.widest));
   }
-  finding.status = finding.trials == 0 ? Status::gave_up : Status::bounded;
+  finding.status = Status::bounded;
   finding.detail = text;
   return finding;
 }
+
+Finding run_ball(std::size_t index, const Plan& plan) { return judge_ball(claim_cases<Box>()[index], plan); }
 
 }  // namespace torse::proofs

@@ -1,6 +1,7 @@
 #include "torse/proofs/engines/engine.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace torse::proofs {
 
@@ -46,6 +47,14 @@ Finding open_finding(const ClaimInfo& info, std::string_view engine, const Plan&
   finding.seed = plan.seed;
   return finding;
 }
+
+Finding gave_up(Finding finding, std::string why) {
+  finding.status = Status::gave_up;
+  finding.detail = std::move(why);
+  return finding;
+}
+
+std::string size_text(Size size) { return "n=" + std::to_string(size.n) + ", N=" + std::to_string(size.pieces); }
 
 std::vector<Size> sizes_for(const ClaimInfo& info, const std::vector<Size>& wanted) {
   std::vector<Size> sizes;

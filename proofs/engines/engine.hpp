@@ -66,6 +66,15 @@ struct Plan {
 /// A finding to fill in, of the claim in the engine.
 Finding open_finding(const ClaimInfo& info, std::string_view engine, const Plan& plan);
 
+/// The finding of an engine that could not find out anything, and why.
+Finding gave_up(Finding finding, std::string why);
+
+/// Why, where none of the sizes of a plan is one of the claim.
+inline constexpr const char* no_size = "no size of the claim is among those of this effort";
+
+/// "n=2, N=3".
+std::string size_text(Size size);
+
 /// One way to run claims. `run` takes the claim's index in all_claims(). Engines never throw for a claim that fails.
 struct Engine {
   std::string_view name;

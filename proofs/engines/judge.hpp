@@ -47,10 +47,9 @@ Verdict judge(const Equations<S>& equations) {
   return {true, true, {}};
 }
 
-/// Draws one input and judges the claim or a mutant on it.
+/// Draws one input, which becomes `sample`, and judges the claim or a mutant on it.
 template <class S>
-Verdict run_once(const ClaimCase<S>& claim, Source<S>& source, Size size, Mutant mutant) {
-  Sample<S> sample;
+Verdict run_once(const ClaimCase<S>& claim, Source<S>& source, Size size, Mutant mutant, Sample<S>& sample) {
   Verdict verdict;
   const auto begin = [&](const NonZero<S>& nonzero) {
     verdict.admitted = true;
@@ -65,6 +64,12 @@ Verdict run_once(const ClaimCase<S>& claim, Source<S>& source, Size size, Mutant
     return verdict;
   }
   return verdict.admitted ? judge(sample.equations) : verdict;
+}
+
+template <class S>
+Verdict run_once(const ClaimCase<S>& claim, Source<S>& source, Size size, Mutant mutant) {
+  Sample<S> sample;
+  return run_once(claim, source, size, mutant, sample);
 }
 
 }  // namespace torse::proofs

@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "torse/proofs/engines/engine.hpp"
-#include "torse/proofs/models.hpp"
+#include "torse/proofs/engines/cases.hpp"
 #include "torse/proofs/sources.hpp"
 #include "torse/proofs/table.hpp"
 
@@ -93,53 +93,73 @@ Trial try_prime(const ClaimCase<Batch>& claim, Size size, Mutant mutant, Rng& rn
   return trial;
 }
 
+/// What the sizes of a claim have shown so far.
+struct Total {
+  double error = 0;  ///< the sum of the probabilities of error
+  Bounds worst;
+};
+
+/// Runs one size, prime after prime, until log2 of the probability of error is at most `target`. Whether it has come so
+/// far; otherwise the finding says why.
+bool run_size(const ClaimCase<Batch>& claim, const ClaimCase<Degree>& degrees, Size size, const Plan& plan,
+              double target, Total& total, Finding& finding) {
+  const Bounds bounds = bounds_of(degrees, size, Mutant(plan.mutant));
+  Rng rng(seed_of(plan.seed, finding.claim + "/modular/" + std::to_string(size.n) + "/" + std::to_string(size.pieces)));
+  double error = 0;
+  int empty = 0;
+  while (error > target) {
+    const Trial trial = try_prime(claim, size, Mutant(plan.mutant), rng);
+    const int lanes = std::popcount(trial.valid);
+    if (!trial.asserted || lanes == 0 || error_log2(bounds, lanes) >= 0) {
+      if (++empty < 10) continue;
+      finding.status = Status::gave_up;
+      finding.detail =
+          size_text(size) + (trial.asserted ? ": no valid point or no useful degree bound" : ": nothing asserted");
+      return false;
+    }
+    finding.trials += lanes;
+    finding.discards += Batch::lanes - lanes;
+    if (trial.disagree != 0) {
+      finding.status = Status::refuted;
+      finding.detail =
+          size_text(size) + ": differs modulo a prime at lane " + std::to_string(std::countr_zero(trial.disagree));
+      finding.sizes = {size};
+      return false;
+    }
+    error += error_log2(bounds, lanes);
+  }
+  total.error += std::exp2(error);
+  if (bounds.degree >= total.worst.degree) total.worst = bounds;
+  finding.sizes.push_back(size);
+  return true;
+}
+
 }  // namespace
 
-Finding run_modular(std::size_t index, const Plan& plan) {
-  const ClaimCase<Batch>& claim = claim_cases<Batch>()[index];
+Finding judge_modular(const ClaimCase<Batch>& claim, const ClaimCase<Degree>& degrees, const Plan& plan) {
   Finding finding = open_finding(*claim.info, "modular", plan);
   if (claim.info->kind == Kind::example) return finding;
   const double target = plan.effort == Effort::quick ? -60 : plan.effort == Effort::standard ? -110 : -250;
-  double total = 0;
-  Bounds worst;
+  Total total;
   for (const Size size : sizes_for(*claim.info, wanted(plan.effort))) {
-    const Bounds bounds = bounds_of(claim_cases<Degree>()[index], size, Mutant(plan.mutant));
-    Rng rng(
-        seed_of(plan.seed, finding.claim + "/modular/" + std::to_string(size.n) + "/" + std::to_string(size.pieces)));
-    double error = 0;
-    int empty = 0;
-    while (error > target) {
-      const Trial trial = try_prime(claim, size, Mutant(plan.mutant), rng);
-      const int lanes = std::popcount(trial.valid);
-      if (!trial.asserted || lanes == 0 || error_log2(bounds, lanes) >= 0) {
-        if (++empty < 10) continue;
-        finding.status = Status::gave_up;
-        finding.detail = "n=" + std::to_string(size.n) + ", N=" + std::to_string(size.pieces) +
-                         (trial.asserted ? ": no valid point or no useful degree bound" : ": nothing asserted");
-        return finding;
-      }
-      finding.trials += lanes;
-      finding.discards += Batch::lanes - lanes;
-      if (trial.disagree != 0) {
-        finding.status = Status::refuted;
-        finding.detail = "n=" + std::to_string(size.n) + ", N=" + std::to_string(size.pieces) +
-                         ": differs modulo a prime at lane " + std::to_string(std::countr_zero(trial.disagree));
-        finding.sizes = {size};
-        return finding;
-      }
-      error += error_log2(bounds, lanes);
+    try {
+      if (!run_size(claim, degrees, size, plan, target, total, finding)) return finding;
+    } catch (const Error& error) {
+      return gave_up(std::move(finding), size_text(size) + ": threw: " + error.what());
     }
-    total += std::exp2(error);
-    if (bounds.degree >= worst.degree) worst = bounds;
-    finding.sizes.push_back(size);
   }
+  if (finding.sizes.empty()) return gave_up(std::move(finding), no_size);
   finding.status = Status::supported;
-  finding.error_log2 = std::log2(total);
+  finding.error_log2 = std::log2(total.error);
   char text[160];
   std::snprintf(text, sizeof text, "error < 2^%.0f; largest numerator: degree %.3g, %.3g bits",
-                std::ceil(*finding.error_log2), worst.degree, worst.bits);
+                std::ceil(*finding.error_log2), total.worst.degree, total.worst.bits);
   finding.detail = text;
   return finding;
+}
+
+Finding run_modular(std::size_t index, const Plan& plan) {
+  return judge_modular(claim_cases<Batch>()[index], claim_cases<Degree>()[index], plan);
 }
 
 }  // namespace torse::proofs

@@ -6,11 +6,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "torse/proofs/engines/engine.hpp"
+#include "torse/proofs/engines/cases.hpp"
 #include "torse/proofs/engines/judge.hpp"
-#include "torse/proofs/models.hpp"
 #include "torse/proofs/sources.hpp"
 #include "torse/proofs/table.hpp"
 
@@ -104,8 +104,8 @@ std::optional<Score> score_faults(const ClaimCase<Faulty<S>>& claim, Size size, 
                                   std::vector<std::string>& survivors) {
   Score score;
   const FaultyRun<S> clean = run_with_fault<S>(claim, size, inputs, std::nullopt, error);
-  if (clean.threw || clean.valid == 0) return std::nullopt;
   const auto& truth = clean.sample.equations.list();
+  if (clean.threw || clean.valid == 0 || truth.empty()) return std::nullopt;
   for (std::int64_t index = 0; index < clean.operations; ++index) {
     const FaultyRun<S> run = run_with_fault<S>(claim, size, inputs, index, error);
     const auto& found = run.sample.equations.list();
@@ -119,8 +119,8 @@ std::optional<Score> score_faults(const ClaimCase<Faulty<S>>& claim, Size size, 
       ++score.killed;
     } else if (moves) {
       ++score.survived;
-      survivors.push_back("operation " + std::to_string(index) + " of " + std::to_string(clean.operations) +
-                          " at n=" + std::to_string(size.n) + ", N=" + std::to_string(size.pieces));
+      survivors.push_back("operation " + std::to_string(index) + " of " + std::to_string(clean.operations) + " at " +
+                          size_text(size));
     } else {
       ++score.equivalent;
     }
@@ -137,8 +137,7 @@ std::vector<Size> fault_sizes(Effort effort) {
 
 }  // namespace
 
-Finding run_mutation(std::size_t index, const Plan& plan) {
-  const ClaimCase<Rational>& claim = claim_cases<Rational>()[index];
+Finding judge_mutation(const ClaimCase<Rational>& claim, const FaultyCases& faulty, const Plan& plan) {
   const ClaimInfo& info = *claim.info;
   Finding finding = open_finding(info, "mutation", plan);
   const std::vector<Size> sizes = sizes_for(info, {{2, 2}, {3, 3}, {1, 1}, {2, 1}, {4, 2}});
@@ -153,24 +152,20 @@ Finding run_mutation(std::size_t index, const Plan& plan) {
   }
   std::vector<Size> instances = sizes_for(info, fault_sizes(plan.effort));
   if (instances.empty()) instances = sizes_for(info, {{1, 1}, {1, 2}, {3, 1}});
+  if (instances.empty()) return gave_up(std::move(finding), no_size);
   for (const Size size : instances) {
     Rng rng(seed_of(plan.seed, finding.claim + "/faults"));
     std::optional<Score> faults;
     if (info.kind == Kind::example) {
-      faults = score_faults<Rational>(claim_cases<Faulty<Rational>>()[index], size,
+      faults = score_faults<Rational>(faulty.rational, size,
                                       Replay<Rational>([&] { return ratio<Rational>(rng.between(1, 99), 7); }),
                                       from_int<Rational>(1), finding.survivors);
     } else {
       const Modulus modulus = random_prime(rng);
-      faults = score_faults<Batch>(claim_cases<Faulty<Batch>>()[index], size,
-                                   Replay<Batch>([&] { return Batch::draw(modulus, rng); }), Batch::draw(modulus, rng),
-                                   finding.survivors);
+      faults = score_faults<Batch>(faulty.batch, size, Replay<Batch>([&] { return Batch::draw(modulus, rng); }),
+                                   Batch::draw(modulus, rng), finding.survivors);
     }
-    if (!faults) {
-      finding.status = Status::gave_up;
-      finding.detail = "n=" + std::to_string(size.n) + ", N=" + std::to_string(size.pieces) + ": no input to corrupt";
-      return finding;
-    }
+    if (!faults) return gave_up(std::move(finding), size_text(size) + ": nothing to corrupt");
     finding.faults += *faults;
     finding.sizes.push_back(size);
     if (info.kind == Kind::example) break;
@@ -178,6 +173,11 @@ Finding run_mutation(std::size_t index, const Plan& plan) {
   finding.status = finding.mutants.survived + finding.faults.survived == 0 ? Status::supported : Status::undecided;
   finding.detail = finding.survivors.empty() ? "no survivor" : "survived: " + finding.survivors.front();
   return finding;
+}
+
+Finding run_mutation(std::size_t index, const Plan& plan) {
+  return judge_mutation(claim_cases<Rational>()[index],
+                        {claim_cases<Faulty<Rational>>()[index], claim_cases<Faulty<Batch>>()[index]}, plan);
 }
 
 }  // namespace torse::proofs

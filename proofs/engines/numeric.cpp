@@ -5,15 +5,14 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "torse/exact/bigfloat/bigfloat.hpp"
 #include "torse/exact/rational/rational.hpp"
-#include "torse/proofs/engines/engine.hpp"
+#include "torse/proofs/engines/cases.hpp"
 #include "torse/proofs/engines/judge.hpp"
 #include "torse/proofs/sources.hpp"
 #include "torse/proofs/table.hpp"
-#include "torse/scalar/builtin.hpp"
 
 namespace torse::proofs {
 
@@ -73,11 +72,12 @@ void compare(const S& computed, const Rational& exact, Errors& errors) {
 
 /// Runs one input in S beside the exact evaluation of the same input.
 template <class S>
-void measure(std::size_t index, Size size, std::uint64_t seed, const Equations<Rational>& exact, Errors& errors) {
+void measure(const ClaimCase<S>& claim, Size size, std::uint64_t seed, const Equations<Rational>& exact,
+             Errors& errors) {
   DyadicSource<S> source(seed);
   Sample<S> sample;
   try {
-    claim_cases<S>()[index].run(source, size, Mutant(), sample, [](const NonZero<S>&) { return true; });
+    claim.run(source, size, Mutant(), sample, [](const NonZero<S>&) { return true; });
   } catch (const Error&) {
     ++errors.overflows;
     return;
@@ -97,8 +97,7 @@ std::string shown(const char* name, const Errors& errors) {
 
 }  // namespace
 
-Finding run_numeric(std::size_t index, const Plan& plan) {
-  const ClaimCase<Rational>& claim = claim_cases<Rational>()[index];
+Finding judge_numeric(const ClaimCase<Rational>& claim, const RoundedCases& rounded, const Plan& plan) {
   Finding finding = open_finding(*claim.info, "numeric", plan);
   if (claim.info->kind == Kind::example) return finding;
   const std::vector<Size> wanted = plan.effort == Effort::quick ? grid(3, 3) : grid(4, 8);
@@ -113,33 +112,38 @@ Finding run_numeric(std::size_t index, const Plan& plan) {
       const std::uint64_t seed = seed_of(plan.seed, task, static_cast<std::uint64_t>(trial));
       DyadicSource<Rational> source(seed);
       Sample<Rational> sample;
-      bool admitted = true;
-      claim.run(source, size, Mutant(plan.mutant), sample, [&](const NonZero<Rational>& nonzero) {
-        for (const auto& factors : nonzero) admitted = admitted && holds(factors);
-        return admitted;
-      });
-      if (!admitted) {
+      const Verdict exact = run_once(claim, source, size, Mutant(plan.mutant), sample);
+      if (!exact.admitted) {
         ++finding.discards;
         continue;
       }
       ++finding.trials;
-      if (const Verdict exact = judge(sample.equations); !exact.agrees) {
+      if (!exact.agrees) {
         finding.status = Status::refuted;
         finding.detail = exact.reason;
         finding.sizes = {size};
         return finding;
       }
-      measure<float>(index, size, seed, sample.equations, single);
-      measure<double>(index, size, seed, sample.equations, twice);
-      measure<long double>(index, size, seed, sample.equations, extended);
-      measure<BigFloat<113>>(index, size, seed, sample.equations, quad);
+      measure(rounded.single, size, seed, sample.equations, single);
+      measure(rounded.twice, size, seed, sample.equations, twice);
+      measure(rounded.extended, size, seed, sample.equations, extended);
+      measure(rounded.quad, size, seed, sample.equations, quad);
     }
     finding.sizes.push_back(size);
   }
-  finding.status = finding.trials > 0 ? Status::bounded : Status::gave_up;
+  if (finding.sizes.empty()) return gave_up(std::move(finding), no_size);
+  if (finding.trials == 0) return gave_up(std::move(finding), "no input meets the hypotheses");
+  finding.status = Status::bounded;
   finding.detail = shown("float", single) + ", " + shown("double", twice) + ", " + shown("long double", extended) +
                    ", " + shown("113 bits", quad);
   return finding;
+}
+
+Finding run_numeric(std::size_t index, const Plan& plan) {
+  return judge_numeric(claim_cases<Rational>()[index],
+                       {claim_cases<float>()[index], claim_cases<double>()[index], claim_cases<long double>()[index],
+                        claim_cases<BigFloat<113>>()[index]},
+                       plan);
 }
 
 }  // namespace torse::proofs

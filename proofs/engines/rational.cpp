@@ -1,9 +1,10 @@
 // Exact rationals: generic and hostile inputs. Refuted with the witness, or Supported by so many points. The stored
 // failures show that no hypothesis can be dropped.
 #include <string>
+#include <utility>
 
 #include "torse/exact/rational/rational.hpp"
-#include "torse/proofs/engines/engine.hpp"
+#include "torse/proofs/engines/cases.hpp"
 #include "torse/proofs/engines/judge.hpp"
 #include "torse/proofs/sources.hpp"
 #include "torse/proofs/table.hpp"
@@ -37,8 +38,7 @@ std::string check_failures(const ClaimCase<Rational>& claim) {
 
 }  // namespace
 
-Finding run_rational(std::size_t index, const Plan& plan) {
-  const ClaimCase<Rational>& claim = claim_cases<Rational>()[index];
+Finding judge_rational(const ClaimCase<Rational>& claim, const Plan& plan) {
   Finding finding = open_finding(*claim.info, "rational", plan);
   const int wanted_trials = claim.info->kind == Kind::example ? 1
                             : plan.effort == Effort::quick    ? 8
@@ -47,11 +47,7 @@ Finding run_rational(std::size_t index, const Plan& plan) {
   for (const Size size : sizes_for(*claim.info, wanted(plan.effort))) {
     int accepted = 0;
     for (int draw = 0; accepted < wanted_trials; ++draw) {
-      if (draw == 20 * wanted_trials) {
-        finding.status = Status::gave_up;
-        finding.detail = "too many inputs violate the hypotheses";
-        return finding;
-      }
+      if (draw == 20 * wanted_trials) return gave_up(std::move(finding), "too many inputs violate the hypotheses");
       const std::string task =
           finding.claim + "/rational/" + std::to_string(size.n) + "/" + std::to_string(size.pieces);
       FractionSource<Rational> source(seed_of(plan.seed, task, static_cast<std::uint64_t>(draw)),
@@ -65,14 +61,14 @@ Finding run_rational(std::size_t index, const Plan& plan) {
       ++finding.trials;
       if (!verdict.agrees) {
         finding.status = Status::refuted;
-        finding.detail = "n=" + std::to_string(size.n) + ", N=" + std::to_string(size.pieces) + ", draw " +
-                         std::to_string(draw) + ": " + verdict.reason;
+        finding.detail = size_text(size) + ", draw " + std::to_string(draw) + ": " + verdict.reason;
         finding.sizes = {size};
         return finding;
       }
     }
     finding.sizes.push_back(size);
   }
+  if (finding.sizes.empty()) return gave_up(std::move(finding), no_size);
   if (const std::string wrong = check_failures(claim); !wrong.empty()) {
     finding.status = Status::refuted;
     finding.detail = wrong;
@@ -82,6 +78,10 @@ Finding run_rational(std::size_t index, const Plan& plan) {
   finding.status = example ? Status::proved : Status::supported;
   finding.detail = example ? "every printed value recomputed exactly" : std::to_string(finding.trials) + " points";
   return finding;
+}
+
+Finding run_rational(std::size_t index, const Plan& plan) {
+  return judge_rational(claim_cases<Rational>()[index], plan);
 }
 
 }  // namespace torse::proofs

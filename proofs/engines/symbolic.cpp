@@ -1,12 +1,12 @@
 // Rational functions over Q: every knot, parameter and control point an indeterminate. A sum that is the zero function
 // proves the claim for its size, under the hypotheses that the factors of nonzero() do not vanish.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "torse/exact/symbolic/rational_function.hpp"
-#include "torse/proofs/engines/engine.hpp"
+#include "torse/proofs/engines/cases.hpp"
 #include "torse/proofs/engines/judge.hpp"
-#include "torse/proofs/models.hpp"
 #include "torse/proofs/sources.hpp"
 #include "torse/proofs/table.hpp"
 
@@ -27,8 +27,7 @@ int count_parameters(const ClaimCase<RationalFunction>& claim, Size size) {
 
 }  // namespace
 
-Finding run_symbolic(std::size_t index, const Plan& plan) {
-  const ClaimCase<RationalFunction>& claim = claim_cases<RationalFunction>()[index];
+Finding judge_symbolic(const ClaimCase<RationalFunction>& claim, const Plan& plan) {
   Finding finding = open_finding(*claim.info, "symbolic", plan);
   if (claim.info->kind == Kind::example) return finding;
   for (const Size size : sizes_for(*claim.info, wanted(plan.effort))) {
@@ -40,18 +39,23 @@ Finding run_symbolic(std::size_t index, const Plan& plan) {
     ++finding.trials;
     if (!verdict.admitted || !verdict.agrees) {
       finding.status = verdict.admitted ? Status::refuted : Status::gave_up;
-      finding.detail = "n=" + std::to_string(size.n) + ", N=" + std::to_string(size.pieces) + ": " +
-                       (verdict.admitted ? verdict.reason : "a hypothesis vanishes identically");
+      finding.detail =
+          size_text(size) + ": " + (verdict.admitted ? verdict.reason : "a hypothesis vanishes identically");
       finding.sizes = {size};
       return finding;
     }
     finding.sizes.push_back(size);
   }
+  if (finding.sizes.empty()) return gave_up(std::move(finding), no_size);
   finding.status = Status::proved;
   finding.detail = claim.points == PointKind::space
                        ? "every parameter and coordinate an indeterminate"
                        : "every parameter an indeterminate, every control point a generator";
   return finding;
+}
+
+Finding run_symbolic(std::size_t index, const Plan& plan) {
+  return judge_symbolic(claim_cases<RationalFunction>()[index], plan);
 }
 
 }  // namespace torse::proofs
