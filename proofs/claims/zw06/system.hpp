@@ -121,9 +121,11 @@ struct Unique {
   }
   template <class S, class P>
   static std::vector<Failure<In<S, P>>> failures() {
-    const RowInput<S, P> row{fj07::example_points<S, P>(3), from_int<S>(2)};
-    const auto input = [&](int a) { return In<S, P>{from_int<S>(a), from_int<S>(3), from_int<S>(1), row}; };
-    return {{0, input(-1)}, {1, input(-2)}};
+    const auto input = [](int a, int u) {
+      return In<S, P>{from_int<S>(a), from_int<S>(3), from_int<S>(1), {fj07::example_points<S, P>(3), from_int<S>(u)}};
+    };
+    // At u = -3 b vanishes, and the rulings of the family are one: what fails is that they are unique.
+    return {{0, input(-1, 2)}, {1, input(-2, -3)}};
   }
 
   /// The determinant of a matrix that is tridiagonal, by the continuants of its leading minors.
