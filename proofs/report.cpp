@@ -95,8 +95,9 @@ int rank(std::string_view status) {
   return static_cast<int>(at - order.begin());
 }
 
-/// Whether a status below that of an earlier report tells of something worse: a claim is refuted by any engine, but what
-/// only some of them say is less than what the one that earned the earlier status said, where that one did not run.
+/// Whether a status below that of an earlier report tells of something worse: a claim is refuted by any engine, but
+/// what only some of them say is less than what the one that earned the earlier status said, where that one did not
+/// run.
 bool comparable(const Entry& entry, const Json& engine) {
   return entry.status() == Status::refuted || !engine.is_string() ||
          std::any_of(entry.findings.begin(), entry.findings.end(),

@@ -17,9 +17,10 @@ std::string json_report(const std::vector<Entry>& entries, const Plan& plan);
 /// It is the file proofs/ledger.json, and a baseline.
 std::string ledger(const std::vector<Entry>& entries, const Plan& plan);
 
-/// What got worse since the earlier report or ledger `baseline` (JSON text): claims that lost their status. Claims that
-/// were not run now, or not by the engine that had earned the status, are passed over, unless they are refuted; `complete` tells that all were, so that a missing one counts. Throws Error with
-/// the reason if `baseline` is not such a report.
+/// What got worse since the earlier report or ledger `baseline` (JSON text): claims that lost their status. Passed over
+/// are claims that were not run now, or not by the engine that had earned the status, unless they are refuted;
+/// `complete` tells that all were, so that a missing one counts. Throws Error with the reason if `baseline` is not such
+/// a report.
 std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, bool complete);
 
 /// "1<=n<=4, 1<=N<=4" for a full grid, otherwise the sizes themselves.

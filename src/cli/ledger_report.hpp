@@ -17,8 +17,8 @@ namespace torse::cli {
 /// Failed where an engine refutes or a wrong variant survives, undecided where nothing was found out, passed otherwise.
 Outcome ledger_outcome(const proofs::Entry& entry);
 
-/// The exit code of all entries; refuted as well where one `regressed` since an earlier run, undecided where no engine has
-/// anything to say of any of them and they are the `whole` run, not a shard.
+/// The exit code of all entries; refuted as well where one `regressed` since an earlier run, undecided where no engine
+/// has anything to say of any of them and they are the `whole` run, not a shard.
 int ledger_code(const std::vector<proofs::Entry>& entries, bool regressed, bool whole);
 
 /// The first finding that refutes or has survivors; otherwise the first that came to nothing, or the first. The entry

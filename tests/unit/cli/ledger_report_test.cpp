@@ -68,6 +68,15 @@ TEST(LedgerReport, OutcomesAndExitCodes) {
   EXPECT_EQ(ledger_code({open(), fails(), holds()}, false, true), exit_code::refuted);
 }
 
+TEST(LedgerReport, AWholeRunThatJudgesNothingIsUndecided) {
+  const Entry none = entry({finding("ball", Status::not_applicable, "")});
+  EXPECT_EQ(ledger_outcome(none), Outcome::passed);
+  EXPECT_EQ(ledger_code({none, none}, false, true), exit_code::undecided);
+  EXPECT_EQ(ledger_code({none, none}, false, false), exit_code::success);
+  EXPECT_EQ(ledger_code({none, holds()}, false, true), exit_code::success);
+  EXPECT_EQ(ledger_code({none, none}, true, true), exit_code::refuted);
+}
+
 TEST(LedgerReport, TheCulpritIsWhatRefutesBeforeWhatGaveUp) {
   const Entry failed = fails();
   const Entry undecided = open();
@@ -100,6 +109,13 @@ TEST(LedgerReport, ScoresOfOneAndOfNone) {
   const std::string text =
       ledger_text({entry({finding("symbolic", Status::proved, "for all"), mutation})}, {}, Terminal(file.get()));
   EXPECT_THAT(text, HasSubstr("      -    1/1           -  "));
+}
+
+TEST(LedgerReport, ErrorsAreRoundedUp) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+  Finding modular = finding("modular", Status::supported, "");
+  modular.error_log2 = -119.75;
+  EXPECT_THAT(ledger_text({entry({modular})}, {}, Terminal(file.get())), HasSubstr(" 2^-119 "));
 }
 
 TEST(LedgerReport, TheTallyIsInTheOrderOfStrength) {
