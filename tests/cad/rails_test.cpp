@@ -103,6 +103,17 @@ TEST_F(CadRails, AreChosenByNameAndNumber) {
   }
 }
 
+TEST_F(CadRails, ANameCountsBeforeANumber) {
+  StepText step;
+  const std::string knots = "(2,2),(0.,1.)";
+  const std::string first = spline(step, "2", 1, {"0.,0.,0.", "1.,0.,0."}, knots);
+  const std::string second = spline(step, "1", 1, {"0.,1.,0.", "1.,1.,0."}, knots);
+  const InputRails input =
+      cli::read_input_rails({.file = file("rails.step", step.file({first, second}, false)), .c = "2", .d = "1"});
+  EXPECT_EQ(input.rails.c.net.points[0], Point(Q(0), Q(0), Q(0)));
+  EXPECT_EQ(input.rails.d.net.points[0], Point(Q(0), Q(1), Q(0)));
+}
+
 TEST_F(CadRails, NamedCAndDThoughThereAreOthers) {
   StepText step;
   const auto line = [&](const std::string& name, const std::string& x) {
@@ -227,6 +238,22 @@ TEST_F(CadRails, AreFittedInTheirUnit) {
   const json surface = json::parse(check.out).at("surfaces").at(0);
   EXPECT_EQ(surface.at("unit"), "m");
   EXPECT_EQ(surface.at("ruled"), true);
+}
+
+/// In units of 30 mm, which have no name: coordinates and the tolerance of 1e-6 are written in millimetres.
+TEST_F(CadRails, AreFittedInMillimetresWhereTheirUnitHasNoName) {
+  StepText step("inch");
+  const std::string c = chine(step);
+  const std::string d = sheer(step);
+  std::string text = step.file({c, d}, false);
+  text.replace(text.find("25.4"), 4, "30.");
+  const std::string out = (scratch / "out.step").string();
+  const ProgramResult result = run_program({"fit", file("rails.step", text), "-o", out, "--coefficients", "8"});
+  EXPECT_EQ(result.exit, 0) << result.err;
+  const ProgramResult check = run_program({"check", out, "--json", "-"});
+  const json surface = json::parse(check.out).at("surfaces").at(0);
+  EXPECT_EQ(surface.at("unit"), "mm");
+  EXPECT_NEAR(surface.at("tolerance").get<double>(), 3e-5, 1e-12);
 }
 
 TEST_F(CadRails, WhatHasNoCurvesIsRefused) {
