@@ -61,6 +61,9 @@ TEST_F(HostileCad, NotWhatTheNamePromises) {
   IgesText plane;
   plane.ruled(plane.line("0.,0.,0.", "1.,0.,0."), plane.line("0.,1.,0.", "1.,1.,0."), 0, 1, {});
   EXPECT_EQ(check("a.txt", "\xEF\xBB\xBF" + plane.file()).exit, 0);
+  IgesText ball;
+  ball.add(196, std::to_string(ball.add(116, "1.,2.,3.,0", {.dependent = true})) + ",2.,0,0");
+  EXPECT_EQ(check("a.igs", ball.file()).exit, 3) << "there is nothing to judge";
 }
 
 TEST_F(HostileCad, NumbersThatAreNone) {

@@ -231,6 +231,39 @@ TEST_F(Campaign, AFailureOfAnotherBuildIsRunAgain) {
               HasSubstr("fails in B only: 1 seeds: 3\n"));
 }
 
+/// A database holds more than a run is about.
+TEST_F(Campaign, ARunTellsOfItsOwnSeeds) {
+  make_failing("a", true);
+  const ProgramResult first = run(runs_.run("a", "1..2", "1"));
+  EXPECT_EQ(first.exit, 0) << first.out;
+  EXPECT_THAT(first.out, Not(HasSubstr("made up")));
+  EXPECT_THAT(first.out, Not(HasSubstr("seed 3")));
+  const ProgramResult all = run(runs_.run("a", "1..3", "1"));
+  EXPECT_EQ(all.exit, 1);
+  EXPECT_THAT(all.out, HasSubstr("made up"));
+}
+
+/// Two databases that differ in why a case was discarded, and in nothing else.
+TEST_F(Campaign, ReasonsOfDiscardsAreCompared) {
+  for (const char* name : {"a", "b"}) {
+    ASSERT_EQ(run(runs_.run(name, "1..2", "1")).exit, 0);
+    fuzz::Store store(runs_.file(name), fuzz::Database::Open::existing);
+    fuzz::RunInfo info = store.runs().begin()->second;
+    info.token = "made up";
+    fuzz::UnitResult unit{{runs_.property, "quick"}, 3, {}, 10};
+    unit.tally.cases = 10;
+    unit.tally.discarded = 1;
+    unit.tally.discards.add("reason", std::string("because ") + name, 1);
+    fuzz::Transaction transaction(store.database());
+    store.put(unit, store.put_run(info));
+    transaction.commit();
+  }
+  const ProgramResult diff = torse({"campaign", "diff", runs_.file("a"), runs_.file("b")});
+  EXPECT_EQ(diff.exit, 3) << diff.out;
+  EXPECT_THAT(diff.out, HasSubstr("because a"));
+  EXPECT_THAT(diff.out, HasSubstr("because b"));
+}
+
 TEST_F(Campaign, ContradictionsAreNotMerged) {
   make_failing("a", true);
   EXPECT_EQ(run(runs_.run("b", "1..3", "1")).exit, 0);

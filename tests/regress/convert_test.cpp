@@ -64,6 +64,9 @@ TEST_F(Convert, TheToleranceHoldsAndIsReported) {
     EXPECT_TRUE(face.at("ruled"));
     EXPECT_LE(face.at("mesh").at("deviation"), face.at("mesh").at("tolerance"));
     EXPECT_GT(face.at("mesh").at("triangles"), triangles);
+    if (tolerance == std::string("1/10")) {
+      EXPECT_LT(face.at("mesh").at("tolerance").get<double>(), 0.1);  // which is above 1/10
+    }
     triangles = face.at("mesh").at("triangles");
   }
   EXPECT_LT(triangles, 1024U);

@@ -248,6 +248,9 @@ TEST(Mesh, KinksStayAndHaveTwoNormals) {
   EXPECT_EQ(mesh.triangles.size(), 4U);
   EXPECT_EQ(mesh.points, (std::vector<MeshVector>{{0, 0, 0}, {1, 0, 0}, {0, 0, 2}, {1, 0, 2}, {1, 1, 0}, {1, 1, 2}}));
   EXPECT_EQ(mesh.normals, (std::vector<MeshVector>{{0, -1, 0}, {1, 0, 0}}));
+  for (std::size_t t = 0; t < 4; ++t) {
+    for (const MeshCorner& corner : mesh.triangles[t]) EXPECT_EQ(corner.normal, t / 2) << t;
+  }
 }
 
 TEST(Mesh, NormalsAreAcrossRulingsAndRails) {
