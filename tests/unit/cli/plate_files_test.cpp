@@ -154,6 +154,9 @@ TEST(PlateSvg, SizesInUnitsThatSvgDoesNotKnow) {
   large.unit = read_unit("m");
   EXPECT_NE(plate_svg(large).find(" width=\"960000mm\" height=\"224000mm\" viewBox=\"-80 -144 960 224\">"),
             std::string::npos);
+  large.unit = read_unit("ft");
+  EXPECT_NE(plate_svg(large).find(" width=\"292608mm\" height=\"68275.2mm\" viewBox=\"-80 -144 960 224\">"),
+            std::string::npos);
 }
 
 /// Codes and values with a blank between them, a bar behind each pair.
@@ -188,6 +191,15 @@ TEST(PlateDxf, EveryGroup) {
   EXPECT_EQ(text.substr(0, text.find("0 TEXT|8 TEXT")), start + corners + lines);
   EXPECT_NE(text.find("|0 TEXT|8 TEXT|10 0|20 -40|30 0|40 8|1 band & ? ?: 800 x 64 mm, "), std::string::npos) << text;
   EXPECT_TRUE(text.ends_with("|50 0|0 ENDSEC|0 EOF|"));
+}
+
+TEST(PlateDxf, BendsToEitherSideAreBends) {
+  PlateSheet folded = sheet();
+  const std::string towards = plate_dxf(folded);
+  folded.plate.rulings[2].bend *= -1;
+  const std::string away = plate_dxf(folded);
+  for (const std::string* dxf : {&towards, &away})
+    EXPECT_NE(pairs(*dxf).find("0 LINE|8 BENDS|10 400"), std::string::npos);
 }
 
 TEST(PlateDxf, EqualCornersAreOne) {
