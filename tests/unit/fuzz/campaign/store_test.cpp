@@ -59,7 +59,7 @@ TEST_F(Databases, GiveBackWhatWasStored) {
 TEST_F(Databases, SumWhatTheyHold) {
   Store store(file("a"), Open::create);
   std::vector<UnitResult> units;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) units.push_back(unit_of("p", seed, seed == 4 ? 2 : 0));
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) units.push_back(unit_of("p", seed, seed == 4 ? 2 : 0));
   put_all(store, run_of("t", "b"), units);
   const UnitResult total = store.total({"p", "quick"}, {2, 5});
   EXPECT_EQ(total.tally.cases, 40U);
