@@ -268,6 +268,16 @@ TEST_F(Iges, TheMatrixOfASurfaceComesBeforeThatOfItsFace) {
   EXPECT_EQ(doubles(read[0].surface->d.points[1]), (std::vector<double>{0, 11, 1}));
 }
 
+/// The surface that is offset is no face of the part, though the file does not say that it depends on anything.
+TEST_F(Iges, AnOffsetSurfaceIsOneFace) {
+  IgesText iges;
+  const int below = iges.add(128,
+                             "1,1,1,1,0,0,1,0,0, 0.,0.,1.,1., 0.,0.,1.,1., 1.,1.,1.,1., 0.,0.,0., 4.,0.,0., 0.,2.,0., "
+                             "4.,2.,0., 0.,1.,0.,1.");
+  iges.add(140, "0.,0.,1.,0.5," + std::to_string(below));
+  EXPECT_EQ(faces(iges).size(), 1U);
+}
+
 TEST_F(Iges, ASurfaceEndsWhereItsRangesEnd) {
   // z = x y on [0, 4] x [0, 2] by x = 4u, y = v; used for u in [1/4, 1/2] and v in [0, 1].
   IgesText iges;

@@ -247,6 +247,22 @@ TEST_F(Campaigns, AUnitThatDoesNotEndIsNamed) {
   EXPECT_EQ(names.substr(0, 19), "test.endless, seed ");
 }
 
+/// Of two units the first one takes longer than there is time, while the second one waits for it.
+TEST_F(Campaigns, AreNotCompleteWhereUnitsWereDropped) {
+  Store a = store("a");
+  Plan plan = plan_of({1, 2});
+  plan.properties = {&property<Endless>()};
+  Endless::released = false;
+  std::thread later([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    Endless::released = true;
+  });
+  const Ran ran = run_campaign(a, plan, run_of("t", "b"), {1, std::chrono::duration<double>(0.1), {}}, {}, nullptr);
+  later.join();
+  EXPECT_EQ(ran.advance.units, 1U);
+  EXPECT_FALSE(ran.complete);
+}
+
 TEST_F(Campaigns, ACrashNamesItsUnit) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
