@@ -305,6 +305,21 @@ TEST_F(Fit, NeighboursInATinyPieceDoNotCross) {
   EXPECT_EQ(report.at("self_intersection").at("crosses"), false);
 }
 
+/// The rail of these points turns back twice; with little weight in the middle it does not.
+TEST_F(Fit, FoldsAndCrossingsAreThoseOfTheWeightedRails) {
+  const json line{{"degree", 3}, {"points", {{0, 0, 0}, {"1/3", 0, 0}, {"2/3", 0, 0}, {1, 0, 0}}}};
+  json back{{"degree", 3}, {"points", {{0, 0, 1}, {2, 0, 1}, {-1, 0, 1}, {1, 0, 1}}}};
+  for (const bool weighted : {false, true}) {
+    if (weighted) back["weights"] = {1, "1/20", "1/20", 1};
+    for (const auto& [c, d] : {std::pair{line, back}, std::pair{back, line}}) {
+      const json rails{{"torse", 1}, {"type", "rails"}, {"c", c}, {"d", d}};
+      const json report = this->report(rails.dump(), {"--method", "same"});
+      EXPECT_EQ(report["folds"]["folded"], !weighted);
+      EXPECT_EQ(report["self_intersection"]["crosses"], !weighted);
+    }
+  }
+}
+
 TEST_F(Fit, RefusesAndWritesNothing) {
   const auto refused = [&](const std::string& text, const std::vector<std::string>& options, const std::string& words) {
     const ProgramResult result = run(text, options);
