@@ -95,9 +95,8 @@ int rank(std::string_view status) {
   return static_cast<int>(at - order.begin());
 }
 
-/// Whether a status below that of an earlier report tells of something worse: a claim is refuted by any engine, but
-/// what only some of them say is less than what the one that earned the earlier status said, where that one did not
-/// run.
+/// Whether a status below that of an earlier report tells of something worse though other engines may have run
+/// elsewhere.
 bool comparable(const Entry& entry, const Json& engine) {
   return entry.status() == Status::refuted || !engine.is_string() ||
          std::any_of(entry.findings.begin(), entry.findings.end(),
@@ -161,7 +160,7 @@ std::string ledger(const std::vector<Entry>& entries, const Plan& plan) {
          "\", \"seed\": " + std::to_string(plan.seed) + ", \"claims\": [\n" + lines + "\n]}\n";
 }
 
-std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, bool complete) {
+std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, Extent extent) {
   const Json earlier = Json::parse(baseline, nullptr, false);
   if (earlier.is_discarded() || !earlier.is_object() || !earlier.contains("claims") || !earlier["claims"].is_array()) {
     throw Error("expected a report of torse verify --json, an object with \"claims\"");
@@ -175,8 +174,9 @@ std::vector<std::string> regressions(const std::string& baseline, const std::vec
     const std::string before = claim["status"];
     const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.info->id == id; });
     if (entry == entries.end()) {
-      if (complete) worse.push_back(id + " was " + before + " and is gone");
-    } else if (rank(status_name(entry->status())) < rank(before) && comparable(*entry, claim.value("engine", Json()))) {
+      if (extent == Extent::whole) worse.push_back(id + " was " + before + " and is gone");
+    } else if (rank(status_name(entry->status())) < rank(before) &&
+               (extent != Extent::shard || comparable(*entry, claim.value("engine", Json())))) {
       worse.push_back(id + " was " + before + " and is " + std::string(status_name(entry->status())));
     }
   }

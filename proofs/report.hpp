@@ -17,11 +17,14 @@ std::string json_report(const std::vector<Entry>& entries, const Plan& plan);
 /// It is the file proofs/ledger.json, and a baseline.
 std::string ledger(const std::vector<Entry>& entries, const Plan& plan);
 
-/// What got worse since the earlier report or ledger `baseline` (JSON text): claims that lost their status. Passed over
-/// are claims that were not run now, or not by the engine that had earned the status, unless they are refuted;
-/// `complete` tells that all were, so that a missing one counts. Throws Error with the reason if `baseline` is not such
-/// a report.
-std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, bool complete);
+/// What a run is about: all claims in all engines, those that were chosen, or a part of such a run.
+enum class Extent { whole, selected, shard };
+
+/// What got worse since the earlier report or ledger `baseline` (JSON text): claims that lost their status, or that a
+/// whole run has no more. What chosen engines say of a claim is all that counts; in a shard, of which other engines may
+/// be a part, a status below the earlier one counts where the engine that had earned that ran, or where it is a
+/// refutation. Throws Error with the reason if `baseline` is not such a report.
+std::vector<std::string> regressions(const std::string& baseline, const std::vector<Entry>& entries, Extent extent);
 
 /// "1<=n<=4, 1<=N<=4" for a full grid, otherwise the sizes themselves.
 std::string sizes_text(const std::vector<Size>& sizes);

@@ -42,8 +42,10 @@ struct VerifyOptions {
   ReportFiles reports;
   HtmlOption html;
 
-  bool whole() const {
-    return selection.claims.empty() && selection.papers.empty() && selection.engines.empty() && selection.shards == 1;
+  proofs::Extent extent() const {
+    if (selection.shards > 1) return proofs::Extent::shard;
+    const bool all = selection.claims.empty() && selection.papers.empty() && selection.engines.empty();
+    return all ? proofs::Extent::whole : proofs::Extent::selected;
   }
 };
 
@@ -86,7 +88,7 @@ proofs::Progress progress_line(bool shown) {
 std::vector<std::string> compare(const VerifyOptions& options, const std::vector<Entry>& entries) {
   if (options.baseline.empty()) return {};
   try {
-    return proofs::regressions(read_file(options.baseline), entries, options.whole());
+    return proofs::regressions(read_file(options.baseline), entries, options.extent());
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
@@ -98,7 +100,7 @@ std::vector<std::string> compare(const VerifyOptions& options, const std::vector
 /// papers' figures.
 nlohmann::ordered_json html_sections(const VerifyOptions& options, const std::string& json) {
   nlohmann::ordered_json sections{{{"kind", "ledger"}, {"data", nlohmann::ordered_json::parse(json)}}};
-  if (!options.whole()) return sections;
+  if (options.extent() != proofs::Extent::whole) return sections;
   sections.push_back(examples_section());
   sections.push_back(figures_section(figures::all_figures(), false));
   return sections;
@@ -121,7 +123,7 @@ int run_verify(VerifyOptions& options) {
   for (const Entry& entry : entries) cases.push_back(ledger_case(entry, options.plan));
   write_case_reports(options.reports, cases);
   if (options.html.wanted()) write_html(options.html, "The papers' claims", html_sections(options, json));
-  const int code = ledger_code(entries, !worse.empty(), options.selection.shards == 1);
+  const int code = ledger_code(entries, !worse.empty(), options.extent() != proofs::Extent::shard);
   if (options.reports.use_stdout()) return code;
 
   const Terminal terminal(stdout);

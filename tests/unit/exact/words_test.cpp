@@ -63,7 +63,7 @@ TEST(Words, BoundsAreRoundedAwayFromTheEnclosure) {
   warp.piece = 1;
   warp.parameter = ratio<Rational>(1, 2);
   // Doubles in steps of an irrational ratio over all magnitudes.
-  for (double x = 1e-300; x < 90; x *= 3.7182818) {
+  for (double x = 3.14159265e-300; x < 90; x *= 3.7182818) {
     warp.lower = warp.upper = x;
     double lower = 0;
     double upper = 0;

@@ -153,7 +153,7 @@ TEST(Modular, ErrorBoundReachesItsTarget) {
 TEST(Ledger, NothingGotWorseSinceItWasWritten) {
   const std::string stored = read_file(TORSE_SOURCE_PATH "/proofs/ledger.json");
   const std::vector<Entry> entries = run_all({}, quick(), 2, {});
-  EXPECT_THAT(regressions(stored, entries, true), testing::IsEmpty());
+  EXPECT_THAT(regressions(stored, entries, Extent::whole), testing::IsEmpty());
   for (const Entry& entry : entries) {
     EXPECT_EQ(entry.mutants().survived + entry.faults().survived, 0) << entry.info->id;
     EXPECT_NE(stored.find("{\"id\":\"" + std::string(entry.info->id) + "\""), std::string::npos) << entry.info->id;
@@ -167,13 +167,13 @@ TEST(Report, BaselineNamesWhatGotWorse) {
   const std::vector<Entry> proved = run_all(selection, quick(), 1, {});
   const std::vector<Entry> refuted = run_all(selection, quick(1), 1, {});
   const std::string before = json_report(proved, quick());
-  EXPECT_TRUE(regressions(before, proved, false).empty());
-  ASSERT_EQ(regressions(before, refuted, false).size(), 1U);
-  EXPECT_EQ(regressions(before, refuted, false).front(), "FJ07.16 was Proved and is Refuted");
-  EXPECT_EQ(regressions(before, {}, true).front(), "FJ07.16 was Proved and is gone");
-  EXPECT_TRUE(regressions(before, {}, false).empty());
-  EXPECT_THROW(regressions("[]", proved, false), Error);
-  EXPECT_THROW(regressions("{\"claims\": [{}]}", proved, false), Error);
+  EXPECT_TRUE(regressions(before, proved, Extent::selected).empty());
+  ASSERT_EQ(regressions(before, refuted, Extent::selected).size(), 1U);
+  EXPECT_EQ(regressions(before, refuted, Extent::selected).front(), "FJ07.16 was Proved and is Refuted");
+  EXPECT_EQ(regressions(before, {}, Extent::whole).front(), "FJ07.16 was Proved and is gone");
+  EXPECT_TRUE(regressions(before, {}, Extent::selected).empty());
+  EXPECT_THROW(regressions("[]", proved, Extent::selected), Error);
+  EXPECT_THROW(regressions("{\"claims\": [{}]}", proved, Extent::selected), Error);
 }
 
 TEST(Report, SizesInWords) {

@@ -111,23 +111,27 @@ TEST(Baseline, EveryLossOfStrengthIsWorse) {
   for (std::size_t i = 0; i + 1 < by_strength.size(); ++i) {
     const auto& [low, less] = by_strength.at(i);
     const auto& [high, more] = by_strength.at(i + 1);
-    EXPECT_THAT(regressions(earlier(high, "ball"), {entry({found("ball", less)})}, true),
+    EXPECT_THAT(regressions(earlier(high, "ball"), {entry({found("ball", less)})}, Extent::whole),
                 ElementsAre(std::string("TEST.1 was ") + high + " and is " + low));
-    EXPECT_THAT(regressions(earlier(low, "ball"), {entry({found("ball", more)})}, true), IsEmpty());
-    EXPECT_THAT(regressions(earlier(low, "ball"), {entry({found("ball", less)})}, true), IsEmpty());
+    EXPECT_THAT(regressions(earlier(low, "ball"), {entry({found("ball", more)})}, Extent::whole), IsEmpty());
+    EXPECT_THAT(regressions(earlier(low, "ball"), {entry({found("ball", less)})}, Extent::whole), IsEmpty());
   }
 }
 
-TEST(Baseline, IsComparedWhereTheEngineThatEarnedItRan) {
+TEST(Baseline, InAShardIsComparedWhereTheEngineThatEarnedItRan) {
   const std::string proved = earlier("Proved", "symbolic");
-  EXPECT_THAT(regressions(proved, {entry({found("ball", Status::bounded)})}, false), IsEmpty());
-  EXPECT_THAT(regressions(proved, {entry({found("symbolic", Status::gave_up), found("ball", Status::bounded)})}, false),
+  EXPECT_THAT(regressions(proved, {entry({found("ball", Status::bounded)})}, Extent::shard), IsEmpty());
+  EXPECT_THAT(regressions(proved, {entry({found("ball", Status::bounded)})}, Extent::selected),
               ElementsAre("TEST.1 was Proved and is Bounded"));
-  EXPECT_THAT(regressions(proved, {entry({found("ball", Status::bounded), found("symbolic", Status::gave_up)})}, false),
-              ElementsAre("TEST.1 was Proved and is Bounded"));
-  EXPECT_THAT(regressions(proved, {entry({found("ball", Status::refuted)})}, false),
+  EXPECT_THAT(
+      regressions(proved, {entry({found("symbolic", Status::gave_up), found("ball", Status::bounded)})}, Extent::shard),
+      ElementsAre("TEST.1 was Proved and is Bounded"));
+  EXPECT_THAT(
+      regressions(proved, {entry({found("ball", Status::bounded), found("symbolic", Status::gave_up)})}, Extent::shard),
+      ElementsAre("TEST.1 was Proved and is Bounded"));
+  EXPECT_THAT(regressions(proved, {entry({found("ball", Status::refuted)})}, Extent::shard),
               ElementsAre("TEST.1 was Proved and is Refuted"));
-  EXPECT_THAT(regressions(earlier("Proved", nullptr), {entry({found("ball", Status::bounded)})}, false),
+  EXPECT_THAT(regressions(earlier("Proved", nullptr), {entry({found("ball", Status::bounded)})}, Extent::shard),
               ElementsAre("TEST.1 was Proved and is Bounded"));
 }
 
