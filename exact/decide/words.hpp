@@ -1,6 +1,6 @@
 // Exact results in words, for terminals and test reports.
 //   short_number     an exact number in at most about 24 characters
-//   decimal_above    a bound in few digits that is still one: decimal_below
+//   decimal_above    a bound in few digits that is still one       decimal_below
 //   describe         what refutes developability
 #pragma once
 

@@ -1,8 +1,6 @@
 // From the input of `torse construct` to the library's constructions.
 #include "torse/cli/construct_methods.hpp"
 
-#include "torse/exact/decide/words.hpp"
-
 #include <span>
 #include <string>
 #include <utility>
@@ -11,6 +9,7 @@
 #include "torse/cli/terminal.hpp"
 #include "torse/developable/linear_net.hpp"
 #include "torse/developable/special.hpp"
+#include "torse/exact/decide/words.hpp"
 #include "torse/spline/insertion.hpp"
 
 namespace torse::cli {
