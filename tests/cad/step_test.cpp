@@ -135,8 +135,11 @@ TEST_F(Step, KnotsThatTheKindImplies) {
   EXPECT_EQ(knots("UNIFORM_SURFACE"), "1 2 3 4 5 6 ");
 }
 
-/// The same kinds with weights, in the order of their names, as complex entities are.
+/// Faces of the same kinds with weights, in the order of their names, as complex entities are. The spline without
+/// repeated knots begins and ends between its points.
 TEST_F(Step, WeightsOfSurfacesWhoseKindImpliesTheirKnots) {
+  const std::vector<std::string> ends{"0.,0.,0.", "2.,0.,0.", "2.,0.,1.", "0.,0.,1."};
+  const std::vector<std::string> between{"0.75,0.,0.", "1.625,0.,0.", "1.6,0.,1.", "0.66666666666666663,0.,1."};
   for (const std::string kind : {"BEZIER_SURFACE", "QUASI_UNIFORM_SURFACE", "UNIFORM_SURFACE"}) {
     StepText step;
     std::vector<std::vector<std::string>> rows;
@@ -148,10 +151,11 @@ TEST_F(Step, WeightsOfSurfacesWhoseKindImpliesTheirKnots) {
                                    "RATIONAL_B_SPLINE_SURFACE(((1.,2.),(3.,4.),(5.,6.)))",
                                    "REPRESENTATION_ITEM('')",
                                    "SURFACE()"};
-    std::ranges::sort(parts);
+    std::sort(parts.begin(), parts.end());
     std::string entity;
     for (const std::string& part : parts) entity += (entity.empty() ? "(" : " ") + part;
-    const auto read = faces(alone(step, step.add(entity + ")")));
+    const std::string face = step.face("", step.add(entity + ")"), kind == "UNIFORM_SURFACE" ? between : ends);
+    const auto read = faces(step.file({face}, true));
     ASSERT_EQ(read.size(), 1U) << kind;
     ASSERT_TRUE(read[0].surface) << kind;
     EXPECT_EQ(read[0].surface->c.weights, (std::vector<Rational>{Rational(1), Rational(3), Rational(5)})) << kind;
