@@ -253,12 +253,9 @@ TEST_F(Campaigns, AreNotCompleteWhereUnitsWereDropped) {
   Plan plan = plan_of({1, 2});
   plan.properties = {&property<Endless>()};
   Endless::released = false;
-  std::thread later([] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(400));
-    Endless::released = true;
-  });
-  const Ran ran = run_campaign(a, plan, run_of("t", "b"), {1, std::chrono::duration<double>(0.1), {}}, {}, nullptr);
-  later.join();
+  const Work work{1, std::chrono::duration<double>(0.1), [](const std::string&) { Endless::released = true; },
+                  std::chrono::duration<double>(0.1)};
+  const Ran ran = run_campaign(a, plan, run_of("t", "b"), work, {}, nullptr);
   EXPECT_EQ(ran.advance.units, 1U);
   EXPECT_FALSE(ran.complete);
 }
