@@ -35,6 +35,12 @@ def say(text):
     print(text, flush=True)
 
 
+def give_up(text):
+    """There is no score: exit code 2, as 1 is for mutants that survive."""
+    print(text, file=sys.stderr, flush=True)
+    raise SystemExit(2)
+
+
 def find_sites(job):
     """The sites of a file, kept in a folder by what they depend on: the text and how it is searched."""
     store, root, file, flags = job
@@ -85,7 +91,7 @@ class Workshop:
         log = subprocess.run(["cmake", "-S", str(self.tree), "-B", str(self.build), *CONFIGURE, "-D",
                               f"CMAKE_CXX_FLAGS={FLAGS}"], capture_output=True, text=True)
         if log.returncode != 0:
-            raise SystemExit(log.stdout + log.stderr)
+            give_up(log.stdout + log.stderr)
 
     def include_flags(self):
         commands = json.loads((self.build / "compile_commands.json").read_text())
@@ -167,7 +173,7 @@ class Workshop:
             say(f"left out {count} mutants that cannot be switched at run time")
             if count == 0:
                 break
-        raise SystemExit(f"the instrumented tree does not build: {self.folder / 'build.log'}")
+        give_up(f"the instrumented tree does not build: {self.folder / 'build.log'}")
 
 
 def read_equivalent(path):
@@ -184,7 +190,7 @@ def check_equivalent(equivalent, mutants):
     stale = [f"{HERE / 'equivalent.txt'}:{n}: stale: no mutant has the digest {d}: {rest}"
              for d, (n, rest) in equivalent.items() if d not in mutants]
     if stale:
-        raise SystemExit("\n".join(stale))
+        give_up("\n".join(stale))
 
 
 def sample(mutants, count, seed, paths):
@@ -232,11 +238,11 @@ def main():
         chosen = [m for m in mutants.values() if {m[2].id, m[2].digest} & set(options.mutant)]
         unknown = set(options.mutant) - {name for _, _, m in chosen for name in (m.id, m.digest)}
         if unknown:
-            raise SystemExit(f"no mutant {', '.join(sorted(unknown))}")
+            give_up(f"no mutant {', '.join(sorted(unknown))}")
     else:
         chosen = sample(mutants, options.count, options.seed, options.paths)
     if options.campaign and (found := suite.campaign(options.campaign)):
-        raise SystemExit(f"the campaign fails without a mutant: {found}")
+        give_up(f"the campaign fails without a mutant: {found}")
     start = time.monotonic()
     rows = []
 
