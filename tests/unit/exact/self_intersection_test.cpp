@@ -188,6 +188,17 @@ TEST(SelfIntersection, RailsThroughInfinityAreNotInOrder) {
   EXPECT_EQ(find_self_intersection<4>(bezier_knots<Q>(2), c, d).crosses, Truth::yes);
 }
 
+/// In a plane: d goes up from (0, 0) to (1, 3) and on to the right. c begins above it at (1/2, 26), is at infinity, to
+/// the right, where d is at (1, 3), and comes back from the left to (-10, 2). Rulings turn to one side all the time,
+/// but those of the second piece go from d back through those of the first one.
+TEST(SelfIntersection, ARailThatIsInfiniteAtAKnotIsNotInOrder) {
+  using Row4 = std::vector<Vec<Q, 4>>;
+  const auto row = [](int w, int x, int y) { return Vec<Q, 4>(Q(w), Q(x), Q(y), Q(0)); };
+  const Row4 c{row(10, 5, 260), row(11, 24, 130), row(0, 10, 0), row(-5, 55, -10), row(-10, 100, -20)};
+  const Row4 d{row(8, 0, 0), row(8, 4, 24), row(8, 8, 24), row(8, 9, 24), row(8, 10, 24)};
+  EXPECT_EQ(find_self_intersection<4>(KnotList<Q>(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2)}), c, d).crosses, Truth::yes);
+}
+
 TEST(SelfIntersection, PlanesConesAndClosedStripsDoNot) {
   EXPECT_EQ(crosses(bezier_knots<Q>(1), {point(0, 0, 0), point(1, 0, 0)}, {point(0, 1, 0), point(1, 1, 0)}), Truth::no);
   const Row tip(3, point(0, 0, 1));
