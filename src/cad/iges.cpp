@@ -30,6 +30,7 @@
 #include "torse/cad/curves.hpp"
 #include "torse/cad/face.hpp"
 #include "torse/cad/iges_curve.hpp"
+#include "torse/cad/iges_weights.hpp"
 #include "torse/cad/read.hpp"
 
 namespace torse::cad {
@@ -120,6 +121,7 @@ class IgesFile {
       throw Unreadable("expected an IGES file, found what OpenCASCADE cannot read");
     }
     model_ = reader_.IGESModel();
+    restore_weights(path, model_);
     // OpenCASCADE scales to its own unit: let that be the file's, so that the factor is 1.
     millimetres_ = model_->GlobalSection().UnitValue();
     if (!(millimetres_ > 0)) millimetres_ = 1;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "torse/cad/iges_weights.hpp"
 #include "torse/cad/write.hpp"
 
 namespace torse::cad {
@@ -41,7 +42,7 @@ Handle(IGESGeom_BSplineCurve) curve_of(const CadRail& rail) {
   const bool closed = rail.points.front() == rail.points.back();
   const Handle(IGESGeom_BSplineCurve) curve = new IGESGeom_BSplineCurve;
   curve->Init(last, rail.degree, false, closed, polynomial, false, real_array(rail.knots, -rail.degree),
-              real_array(rail.weights, 0), poles, rail.knots.front(), rail.knots.back(), gp_XYZ(0, 0, 0));
+              real_array(told_apart(rail.weights), 0), poles, rail.knots.front(), rail.knots.back(), gp_XYZ(0, 0, 0));
   return curve;
 }
 

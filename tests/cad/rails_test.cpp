@@ -215,6 +215,25 @@ TEST_F(CadRails, CompositeCurvesAreJoined) {
   EXPECT_EQ(at(input.rails.c, u.piece_end(u.proper_pieces().front())), Point(Q(1), Q(0), Q(0)));
 }
 
+/// The quarter of a circle whose weights are tiny, which OpenCASCADE takes for ones, and a line.
+TEST_F(CadRails, TinyWeightsWithinACompositeCurve) {
+  for (const char* weights : {"1.,1.,2.", "1.D-12,1.D-12,2.D-12"}) {
+    IgesText iges;
+    const int quarter = iges.bezier(2, weights, "1.,0.,0.,1.,1.,0.,0.,1.,0.");
+    const int line = iges.line("0.,1.,0.", "-1.,1.,0.");
+    iges.add(102, "2," + std::to_string(quarter) + "," + std::to_string(line), {.label = "c"});
+    iges.add(110, "1.,0.,1.,-1.,1.,1.", {.label = "d"});
+    const InputRails input = cli::read_input_rails({.file = file("rails.igs", iges.file())});
+    const KnotList<Q>& u = input.rails.c.knots;
+    const int piece = u.proper_pieces().front();
+    for (const Q& share : {ratio<Q>(1, 3), ratio<Q>(1, 2), ratio<Q>(3, 4)}) {
+      const Q t = u.piece_begin(piece) + share * (u.piece_end(piece) - u.piece_begin(piece));
+      const Point x = at(input.rails.c, t);
+      EXPECT_NEAR((x[0] * x[0] + x[1] * x[1]).to_double(), 1, 1e-14) << weights << " " << x[0].to_double();
+    }
+  }
+}
+
 TEST_F(CadRails, WithoutUnitsLengthsAreMillimetres) {
   StepText step("");
   const std::string c = chine(step);
