@@ -215,6 +215,25 @@ TEST_F(CadRails, CompositeCurvesAreJoined) {
   EXPECT_EQ(at(input.rails.c, u.piece_end(u.proper_pieces().front())), Point(Q(1), Q(0), Q(0)));
 }
 
+/// A wire whose second edge begins where the first one does not end.
+TEST_F(CadRails, ACurveWithAGapIsNamed) {
+  StepText step("m");
+  const auto line = [&](const std::string& from, const std::string& to) {
+    return step.add("POLYLINE('',(" + step.point(from) + "," + step.point(to) + "))");
+  };
+  const auto segment = [&](const std::string& curve) {
+    return step.add("COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.," + curve + ")");
+  };
+  const std::string first = segment(line("0.,0.,0.", "1.,0.,0."));
+  const std::string second = segment(line("1.5,0.,0.", "2.,0.,0."));
+  const std::string gap = step.add("COMPOSITE_CURVE('gap',(" + first + "," + second + "),.F.)");
+  const std::string d = sheer(step);
+  const std::string rails = file("rails.step", step.file({gap, d}, false));
+  const ProgramResult result = run_program({"fit", rails, "--c", "gap", "--d", "sheer", "-o", "-"});
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.err, HasSubstr("cannot be a rail: its parts do not follow each other"));
+}
+
 /// The quarter of a circle whose weights are tiny, which OpenCASCADE takes for ones, and a line.
 TEST_F(CadRails, TinyWeightsWithinACompositeCurve) {
   for (const char* weights : {"1.,1.,2.", "1.D-12,1.D-12,2.D-12"}) {

@@ -342,6 +342,26 @@ TEST(Plate, HugeTinyAndFarAway) {
   }
 }
 
+/// A frame around a square, one and a half times: its edges lie upon each other, so that points between them have to
+/// tell. Half of it lies nowhere twice.
+TEST(Plate, AFrameThatGoesRoundTwiceLiesOnItself) {
+  constexpr std::array<std::array<double, 2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+  const auto frame = [&](std::size_t sides) {
+    std::vector<std::array<double, 3>> inner;
+    std::vector<std::array<double, 3>> outer;
+    std::vector<Q> knots;
+    for (std::size_t i = 0; i <= sides; ++i) {
+      const auto& [x, y] = corners[i % 4];
+      inner.push_back({x, y, 0});
+      outer.push_back({2 * x, 2 * y, 0});
+      knots.push_back(Q(static_cast<int>(i)));
+    }
+    return Surface{KnotList<Q>(1, knots), rows(inner), rows(outer)};
+  };
+  EXPECT_EQ(frame(6).plate(1e-3).overlap.verdict, Truth::yes);
+  EXPECT_EQ(frame(3).plate(1e-3).overlap.verdict, Truth::no);
+}
+
 TEST(Plate, AToleranceOutOfReachIsAnError) {
   const Surface surface = tangent_surface();
   EXPECT_THROW(unroll_plate(surface.strips(), {1e-40, {}}), InvalidInput);

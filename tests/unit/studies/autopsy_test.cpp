@@ -24,6 +24,11 @@ TEST(Shadow, IsTheDoubleAndTheExactValue) {
   EXPECT_EQ(y.exact(), ratio<Q>(4, 9) - Q(6));
   EXPECT_EQ(record.operations().back().kind, '-');
   EXPECT_EQ(record.operations().front().name, "x");
+  const Shadow minus = -third;
+  EXPECT_EQ(minus.value(), -x);
+  EXPECT_EQ(record.operations().back().kind, 'n');
+  EXPECT_EQ(record.operations().back().value, -x);
+  EXPECT_EQ(record.operations().back().exact, ratio<Q>(-1, 3));
 }
 
 TEST(Shadow, ShippingCodeComputesTheSameDoubles) {
