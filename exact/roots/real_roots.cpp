@@ -1,5 +1,6 @@
 // Rational roots first; the others are isolated by Descartes' rule in ball arithmetic, whose exponents are unbounded,
-// and bisected. No end of an interval is a root then, so every sign is found at some precision.
+// and bisected. No end of an interval is a root then, so every sign is found at some precision. Roots that are very
+// near to each other are approached by Newton's steps, whose digits double, and parted by halvings.
 #include "torse/exact/roots/real_roots.hpp"
 
 #include <arb.h>
@@ -131,6 +132,37 @@ std::optional<int> variations(const IntegerPolynomial& f, const Bracket& at, slo
   return count;
 }
 
+/// The part of a bracket, 2^-share of it wide, to which Newton's step for k roots in one place leads from an end; none
+/// where it leads out of the bracket.
+std::optional<Bracket> newton_part(const IntegerPolynomial& f, const Bracket& at, bool from_upper, int k, slong share,
+                                   slong precision) {
+  RealPolynomial g(f, precision);
+  Real x(from_upper ? at.upper : at.lower, precision), lower(at.lower, precision);
+  Real width(at.upper - at.lower, precision), value, slope;
+  arb_poly_evaluate2_horner(value.get(), slope.get(), g.get(), x.get(), precision);
+  arb_div(value.get(), value.get(), slope.get(), precision);
+  arb_mul_si(value.get(), value.get(), k, precision);
+  arb_sub(x.get(), x.get(), value.get(), precision);
+  arb_sub(x.get(), x.get(), lower.get(), precision);
+  arb_div(x.get(), x.get(), width.get(), precision);
+  const arf_srcptr middle = arb_midref(x.get());
+  if (arb_is_finite(x.get()) == 0 || arf_sgn(middle) < 0 || arf_cmpabs_2exp_si(middle, 0) > 0) return std::nullopt;
+  // In units of a quarter of the part.
+  arb_mul_2exp_si(x.get(), x.get(), share + 2);
+  fmpq_t q;
+  fmpq_init(q);
+  arf_get_fmpz(fmpq_numref(q), middle, ARF_RND_FLOOR);
+  mpq_t whole;
+  mpq_init(whole);
+  fmpq_get_mpq(whole, q);
+  const Rational first =
+      std::max(Rational(0), std::min(Rational::from_mpq(whole) - Rational(1), power_of_two(share + 2) - Rational(4)));
+  mpq_clear(whole);
+  fmpq_clear(q);
+  const Rational unit = (at.upper - at.lower) * power_of_two(-share - 2);
+  return Bracket{at.lower + first * unit, at.lower + (first + Rational(4)) * unit};
+}
+
 /// The sign of f at x, which is not a root.
 int sign_at(const IntegerPolynomial& f, const Rational& x) {
   for (slong precision = least_precision;; precision *= 2) {
@@ -143,9 +175,11 @@ int sign_at(const IntegerPolynomial& f, const Rational& x) {
 
 /// The positive roots of a square-free polynomial without rational roots, each alone in its bracket.
 std::vector<Bracket> isolate(const IntegerPolynomial& f) {
+  constexpr slong most_share = 1 << 20;
   struct Node {
     Bracket at;
     slong precision;
+    slong share = 1;
   };
   std::vector<Bracket> isolated;
   std::vector<Node> open;
@@ -163,10 +197,22 @@ std::vector<Bracket> isolate(const IntegerPolynomial& f) {
       isolated.push_back(node.at);
       continue;
     }
+    // A part with as many variations has all roots that there are.
+    std::optional<Bracket> part;
+    for (const bool from_upper : {false, true}) {
+      if (!count || part) continue;
+      part = newton_part(f, node.at, from_upper, *count, node.share, 2 * precision);
+      if (part && variations(f, *part, 2 * precision) != count) part.reset();
+    }
+    if (part) {
+      open.push_back({*std::move(part), precision, std::min(most_share, 2 * node.share)});
+      continue;
+    }
     const Rational middle = node.at.middle();
     const slong next = count ? node.precision : precision;
-    open.push_back({{middle, node.at.upper}, next});
-    open.push_back({{node.at.lower, middle}, next});
+    const slong share = std::max<slong>(1, node.share / 2);
+    open.push_back({{middle, node.at.upper}, next, share});
+    open.push_back({{node.at.lower, middle}, next, share});
   }
   return isolated;
 }

@@ -345,6 +345,45 @@ TEST_F(Iges, ASurfaceEndsWhereItsRangesEnd) {
   EXPECT_EQ(doubles(read[0].surface->d.points[1]), (std::vector<double>{2, 1, 2}));
 }
 
+/// Two planes that meet at v = 1, of which one is used, up to where the other begins.
+TEST_F(Iges, ASurfaceThatEndsAtAKnotAcrossIsOneStrip) {
+  IgesText iges;
+  iges.add(128,
+           "1,2,1,1,0,0,1,0,0, 0.,0.,1.,1., 0.,0.,1.,2.,2., 1.,1.,1.,1.,1.,1., 0.,0.,0., 4.,0.,0., 0.,2.,0., 4.,2.,0.,"
+           "0.,2.,3., 4.,2.,3., 0.,1.,0.,1.");
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(doubles(read[0].surface->d.points[1]), (std::vector<double>{4, 2, 0}));
+}
+
+/// An unclamped curve begins between its control points, here at (1, 1, 0): the vector is that from there to the point.
+TEST_F(Iges, ATabulatedCylinderOverAnUnclampedCurve) {
+  IgesText iges;
+  const int curve = iges.add(
+      126, "2,2,0,0,1,0, 0.,1.,2.,3.,4.,5., 1.,1.,1., 0.,0.,0.,2.,2.,0.,5.,0.,0., 2.,3.,0.,0.,1.", {.dependent = true});
+  iges.add(122, std::to_string(curve) + ",1.5,1.25,4.");
+  const std::vector<cli::Face> read = faces(iges);
+  ASSERT_EQ(read.size(), 1U);
+  const RuledFile<Rational>& strip = *read[0].surface;
+  for (std::size_t i = 0; i < strip.c.points.size(); ++i) {
+    EXPECT_EQ(doubles(Vec<Rational, 3>(strip.d.points[i] - strip.c.points[i])), (std::vector<double>{0.5, 0.25, 4}));
+  }
+}
+
+/// A resolution of 1/64 mm is 1/64000 m.
+TEST_F(Iges, TheResolutionIsWrittenInTheUnitOfTheOutput) {
+  IgesText iges;
+  iges.add(128,
+           "1,1,1,1,0,0,1,0,0, 0.,0.,1.,1., 0.,0.,1.,1., 1.,1.,1.,1., 0.,0.,0., 4.,0.,0., 0.,2.,0., 4.,2.,0.,"
+           "0.,1.,0.,1.");
+  const std::string out = (scratch / "out.igs").string();
+  const double before = check(iges)[0]["tolerance"];
+  ASSERT_EQ(run_program({"convert", file(iges), "--unit", "m", "-o", out}).exit, 0);
+  const double after = json::parse(run_program({"check", out, "--json", "-"}).out)["surfaces"][0]["tolerance"];
+  EXPECT_GT(before, 0);
+  EXPECT_NEAR(after * 1000 / before, 1, 1e-12);
+}
+
 TEST_F(Iges, RulingsByArcLengthNeedOneRatioOfSpeedsForAllPieces) {
   // Polygons of two legs each, 1 and 1 long, 1 and 3 long: at equal parameters the relative lengths differ.
   IgesText iges;

@@ -163,6 +163,28 @@ TEST_F(Step, WeightsOfSurfacesWhoseKindImpliesTheirKnots) {
   }
 }
 
+/// Of 4 points with weights and degree 2: between the ends, which are clamped, is one knot.
+TEST_F(Step, QuasiUniformKnotsBetweenTheEnds) {
+  StepText step;
+  std::vector<std::vector<std::string>> rows;
+  for (const char* x : {"0.", "1.", "2.", "4."}) rows.push_back({x + std::string(",0.,0."), x + std::string(",0.,1.")});
+  const std::string entity =
+      step.add("(BOUNDED_SURFACE() B_SPLINE_SURFACE(2,1," + step.net(rows) +
+               ",.UNSPECIFIED.,.F.,.F.,.F.) GEOMETRIC_REPRESENTATION_ITEM() "
+               "QUASI_UNIFORM_SURFACE() RATIONAL_B_SPLINE_SURFACE(((1.,2.),(3.,4.),(5.,6.),(1.,1.)))"
+               " REPRESENTATION_ITEM('') SURFACE())");
+  const std::vector<std::string> ends{"0.,0.,0.", "4.,0.,0.", "4.,0.,1.", "0.,0.,1."};
+  const auto read = faces(step.file({step.face("", entity, ends)}, true));
+  ASSERT_EQ(read.size(), 1U);
+  ASSERT_TRUE(read[0].surface);
+  const std::vector<Rational>& knots = read[0].surface->knots.list();
+  ASSERT_EQ(knots.size(), 5U);
+  EXPECT_EQ(knots[0], knots[1]);
+  EXPECT_EQ(knots[2] - knots[1], knots[3] - knots[2]);
+  EXPECT_EQ(knots[3], knots[4]);
+  EXPECT_EQ(read[0].surface->c.points[1][0], Rational(1));
+}
+
 TEST_F(Step, ElementarySurfacesAreExactlyWhatTheyAre) {
   // Directions of irrational length, so that every coordinate that OpenCASCADE computes is rounded.
   StepText step;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -15,20 +16,32 @@ namespace {
 using nlohmann::json;
 using Place = std::vector<double>;
 
-/// The points of all VERTEX_POINTs of a STEP file.
-std::vector<Place> vertices_of(std::string step) {
+/// What a STEP file's faces are bounded by.
+struct Wire {
+  std::vector<Place> vertices;
+  std::vector<std::pair<Place, Place>> edges;
+};
+
+/// The points of all VERTEX_POINTs of a STEP file, and those that each EDGE_CURVE joins.
+Wire wire_of(std::string step) {
   std::erase(step, '\n');
   std::map<std::string, Place> points;
   const std::regex point("#(\\d+) *= *CARTESIAN_POINT\\('[^']*',\\(([^,]+),([^,]+),([^)]+)\\)\\)");
   for (std::sregex_iterator at(step.begin(), step.end(), point), end; at != end; ++at) {
     points[at->str(1)] = {std::stod(at->str(2)), std::stod(at->str(3)), std::stod(at->str(4))};
   }
-  std::vector<Place> vertices;
-  const std::regex vertex("VERTEX_POINT\\('[^']*',#(\\d+)\\)");
+  Wire wire;
+  std::map<std::string, Place> named;
+  const std::regex vertex("#(\\d+) *= *VERTEX_POINT\\('[^']*',#(\\d+)\\)");
   for (std::sregex_iterator at(step.begin(), step.end(), vertex), end; at != end; ++at) {
-    vertices.push_back(points.at(at->str(1)));
+    named[at->str(1)] = points.at(at->str(2));
+    wire.vertices.push_back(points.at(at->str(2)));
   }
-  return vertices;
+  const std::regex edge("EDGE_CURVE\\('[^']*',#(\\d+),#(\\d+),");
+  for (std::sregex_iterator at(step.begin(), step.end(), edge), end; at != end; ++at) {
+    wire.edges.emplace_back(named.at(at->str(1)), named.at(at->str(2)));
+  }
+  return wire;
 }
 
 double distance(const Place& x, const Place& y) { return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]); }
@@ -42,7 +55,7 @@ TEST(Trim, AFaceBetweenExtendedRailsHasTheOldEndsForCorners) {
   ASSERT_EQ(result.exit, 0) << result.err;
   const json trim = json::parse(slurp(report)).at("surfaces").at(0).at("trim");
   ASSERT_NE(trim.at("begin").at("c"), trim.at("begin").at("d")) << "nothing is cut off";
-  const std::vector<Place> vertices = vertices_of(slurp(step));
+  const auto [vertices, edges] = wire_of(slurp(step));
   EXPECT_EQ(vertices.size(), 4U);
   const json input = json::parse(slurp(rails));
   for (const char* rail : {"c", "d"}) {
@@ -53,6 +66,18 @@ TEST(Trim, AFaceBetweenExtendedRailsHasTheOldEndsForCorners) {
       EXPECT_LT(nearest, 1e-9) << rail << " " << end;
     }
   }
+  // Its rulings join begin to begin and end to end.
+  const auto joined = [&edges = edges](const Place& x, const Place& y) {
+    return std::ranges::any_of(edges, [&](const auto& edge) {
+      return distance(edge.first, x) + distance(edge.second, y) < 1e-9 ||
+             distance(edge.first, y) + distance(edge.second, x) < 1e-9;
+    });
+  };
+  const json& c = input.at("c").at("points");
+  const json& d = input.at("d").at("points");
+  EXPECT_EQ(edges.size(), 4U);
+  EXPECT_TRUE(joined(c.front().get<Place>(), d.front().get<Place>()));
+  EXPECT_TRUE(joined(c.back().get<Place>(), d.back().get<Place>()));
 }
 
 }  // namespace

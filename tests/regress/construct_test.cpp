@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <regex>
 
 #include "support/program.hpp"
 #include "torse/developable/condition.hpp"
@@ -126,6 +129,26 @@ TEST_F(Construct, InterpolationReachesBothRulings) {
   EXPECT_EQ(run(input, {"--branch", "3"}).exit, 2);
 }
 
+/// What is printed is no less than the angle, by the arcsine in doubles.
+TEST_F(Construct, TheAngleToTheLastRulingIsAtMostWhatIsSaid) {
+  const std::regex said("off vb by at most ([0-9.e+-]+) degrees");
+  int answers = 0;
+  for (int height = 2; height < 80; ++height) {
+    const json c{{"points", {{0, 0, 0}, {1, 3, height}, {2, -1, -4}, {5, 2, -3}}}};
+    const ProgramResult result =
+        run(input_of("interpolate", {{"degree", 3}, {"c", c}, {"va", {1, 0, 0}}, {"vb", {0, 1, 0}}, {"Lambda", 5}}));
+    std::smatch found;
+    if (result.exit != 0 || !std::regex_search(result.out, found, said)) continue;
+    const RuledFile<Q> made = surface();
+    const Point3 last = difference(made.d.points[3], made.c.points[3]);
+    const Q sine2 = (last[0] * last[0] + last[2] * last[2]) / dot(last, last);
+    const double angle = std::asin(std::sqrt(sine2.to_double())) * 180 / std::numbers::pi;
+    EXPECT_GE(std::stod(found[1]), angle * (1 - 1e-9)) << height;
+    ++answers;
+  }
+  EXPECT_GT(answers, 30);
+}
+
 TEST_F(Construct, AnIrrationalBranchIsExactlyDevelopable) {
   const json c{{"points", json::parse("[[0,0,0],[1,3,1],[2,-1,-4],[5,2,-3]]")}};  // D = 1, -5, 1
   const ProgramResult result =
@@ -200,7 +223,7 @@ TEST_F(Construct, WrongInputsAreNamedAndLeaveNoFile) {
   expect_refused(changed("rational", {{"omega0", "-1/4"}, {"sigma", 1}}),
                  "d.weights[1]: the result has a control point at infinity");
   expect_refused(changed("cylinder", {}), ": Lambda (line 1");
-  expect_refused(input_of("cylinder", {{"d0", {1, 2, 3}}, {"Lambda", 3}}), ": Lambda (line 1");
+  expect_refused(input_of("cylinder", {{"d0", {1, 2, 3}}, {"Lambda", 3}}), "expected M beside it, found no M");
   expect_refused(input_of("cone", {{"d0", {1, 2, 3}}, {"Lambda", 1}}), ": Lambda (line 1");
   expect_refused(input_of("cone", {{"d0", {1, 2}}, {"Lambda", 2}}), ": d0 (line 1");
   expect_refused(input_of("tangent", {{"c", {{"points", quartic}}}, {"knots", {0, 0, 1, 1, 2, 2}}}),

@@ -57,7 +57,9 @@ TEST_F(Study, EqualRunsGiveEqualFiles) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "a.part"));
   EXPECT_EQ(lines("a").size(), 12U);
   ASSERT_EQ(run({path("small.json"), "--json", path("c"), "--effort", "quick", "--seed", "6"}).exit, 0);
+  ASSERT_EQ(run({path("small.json"), "--json", path("zero"), "--effort", "quick", "--seed", "0"}).exit, 0);
   EXPECT_NE(slurp(scratch / "a"), slurp(scratch / "c"));
+  EXPECT_NE(slurp(scratch / "a"), slurp(scratch / "zero"));
 }
 
 TEST_F(Study, ShardsJoinToTheWhole) {

@@ -57,11 +57,20 @@ Entry surviving() {
   return entry({finding("symbolic", Status::proved, "for all"), mutation});
 }
 
+/// A corrupted operation that changes both sides of an equation alike.
+Entry sharing() {
+  Finding mutation = finding("mutation", Status::supported, "1 of 3");
+  mutation.faults = {2, 1, 0};
+  mutation.survivors = {"a product"};
+  return entry({finding("symbolic", Status::proved, "for all"), mutation});
+}
+
 TEST(LedgerReport, OutcomesAndExitCodes) {
   EXPECT_EQ(ledger_outcome(holds()), Outcome::passed);
   EXPECT_EQ(ledger_outcome(fails()), Outcome::failed);
   EXPECT_EQ(ledger_outcome(open()), Outcome::undecided);
   EXPECT_EQ(ledger_outcome(surviving()), Outcome::failed);
+  EXPECT_EQ(ledger_outcome(sharing()), Outcome::failed);
   EXPECT_EQ(ledger_code({holds(), holds()}, false, true), exit_code::success);
   EXPECT_EQ(ledger_code({holds(), holds()}, true, true), exit_code::refuted);
   EXPECT_EQ(ledger_code({holds(), open()}, false, true), exit_code::undecided);

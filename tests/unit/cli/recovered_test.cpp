@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "torse/cli/function_report.hpp"
+#include "torse/developable/linear_net.hpp"
 #include "torse/spline/piece_polynomials.hpp"
 
 namespace torse::cli {
@@ -56,6 +57,29 @@ TEST(Recovered, AnEdgeWhoseSpansDifferInVHasNone) {
   EXPECT_EQ(edge_of_spans({other})["v"], nlohmann::ordered_json::parse(R"({"num": [1], "den": [1]})"));
   EXPECT_TRUE(edge_of_spans({one, other})["v"].is_null());
   EXPECT_EQ(edge_of_spans({one, other})["degree"], 3);
+}
+
+/// Two spans with the same Lambda and M: on one line if sigma is the same too.
+TEST(Recovered, SpansThatDifferInSigmaHaveALineEach) {
+  const auto span = [](const Q& sigma, int begin) {
+    const KnotList<Q> u = bezier_knots<Q>(2, Q(begin), Q(begin + 1));
+    const auto row = [](int w, int x, int y, int z) { return Vec<Q, 4>(Q(w), Q(x), Q(y), Q(z)); };
+    const std::vector<Vec<Q, 4>> p{row(1, 0, 0, 0), row(1, 2, 1, 0), row(1, 3, 3, 1)};
+    const auto d = rational_net<Q, Vec<Q, 4>>(u, p, Q(7), Q(-5), sigma, row(1, 0, 1, 2));
+    const auto piece = recover_piece<Q>(u, p, d, 1);
+    return RecoveredSpan{piece, edge_of(piece)};
+  };
+  const auto lines = [](const std::vector<RecoveredSpan>& spans) {
+    RecoveredFace face{.face = {}, .replay = ""};
+    face.judgement = Judgement{{SurfaceClass::tangent, std::nullopt, std::nullopt}, std::nullopt};
+    face.spans = spans;
+    const std::string text = recovered_text(face);
+    std::size_t count = 0;
+    for (std::size_t at = text.find("t in ["); at != std::string::npos; at = text.find("t in [", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(lines({span(Q(2), 0), span(Q(3), 1)}), 2U);
+  EXPECT_EQ(lines({span(Q(2), 0), span(Q(2), 1)}), 1U);
 }
 
 }  // namespace

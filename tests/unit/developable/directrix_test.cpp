@@ -160,6 +160,8 @@ TEST(Directrix, VertexAndEdge) {
   for (const Point3& x : directrix_edge<Q, Point3>(c, tau, cone.b)) EXPECT_EQ(x, vertex);
   EXPECT_EQ(class_of(c, tau), SurfaceClass::cone);
 
+  // a = b' = 2 + 4u at u = 0 only.
+  EXPECT_EQ(is_cone_equation(Equation{bernstein({2}), bernstein({0, 1, 4})}), Truth::no);
   const Equation tangent{bernstein({4}), bernstein({2, 5})};
   EXPECT_EQ(is_cone_equation(tangent), Truth::no);
   const std::vector<Point3> along = solve(c, tangent).tau;

@@ -107,6 +107,27 @@ TEST(PieceFunctions, KnotInsertionAndElevationOfSplines) {
   }
 }
 
+/// A cone with p[t, 2] = (1 + t) X and q[t, 3] = (2 - t) X for its vertex X: Lam and M are constants and sigma is not.
+TEST(PieceFunctions, ConstantsWithASigmaThatIsNone) {
+  const Row x = row(1, 1, 2, 3);
+  const Row speed = row(1, 0, 1, 0);
+  const Row other = row(2, 1, 0, 1);
+  // A row a + b t + c t^2 has p[t, l] = a + l b / 2 + (b / 2 + l c) t.
+  const auto net = [&](const Row& b, int l, int at_zero, int slope) {
+    const Row a = Row(x * Q(at_zero) - b * q(l, 2));
+    const Row c = Row((x * Q(slope) - b * q(1, 2)) * q(1, l));
+    return Rows{a, Row(a + b * q(1, 2)), Row(a + b + c)};
+  };
+  const Rows p = net(speed, 2, 1, 1);
+  const Rows d = net(other, 3, 2, -1);
+  const auto f = recover_piece<Q>(bezier_knots<Q>(2), p, d, 1);
+  ASSERT_TRUE(f.blossom().has_value());
+  EXPECT_EQ(*f.lambda()->constant_value(), Q(2));
+  EXPECT_EQ(*f.m()->constant_value(), Q(3));
+  EXPECT_FALSE(f.sigma()->constant_value().has_value());
+  EXPECT_FALSE(f.constant());
+}
+
 TEST(PieceFunctions, LinearNetsOfAllDegrees) {
   for (const KnotList<Q>& u : knot_lists()) {
     if (u.degree() == 1) continue;

@@ -9,6 +9,7 @@
 #include "torse/exact/rational/rational.hpp"
 #include "torse/scalar/builtin.hpp"
 #include "torse/spline/curve.hpp"
+#include "torse/spline/piece_polynomials.hpp"
 
 namespace torse::testing {
 namespace {
@@ -37,6 +38,21 @@ Strip<double> values(const StripForms<Q>& forms, const Q& tau) {
 
 StripForms<Q> one_piece(const Rows& p, const Rows& q) {
   return strip_forms<Q>(bezier_knots<Q>(static_cast<int>(p.size()) - 1), p, q, 1);
+}
+
+/// d = r + (t - 1/2) r' crosses the edge r of the surface, and its speed across the rulings goes through zero.
+TEST(StripRates, FactorsArePositiveOnEitherSideOfTheirZeros) {
+  const auto polynomial = [](std::initializer_list<Q> list) { return Polynomial<Q>(std::vector<Q>(list)); };
+  const PolynomialRow<Q, 4> d{polynomial({Q(1)}), polynomial({ratio<Q>(-1, 2), Q(2)}), polynomial({Q(0), Q(-1), Q(3)}),
+                              polynomial({Q(0), Q(0), ratio<Q>(-3, 2), Q(4)})};
+  const Rows crossing = bezier_rows(d, 3, Q(0), Q(1));
+  for (const bool swapped : {false, true}) {
+    const StripForms<Q> forms = swapped ? one_piece(crossing, tangent_row(2)) : one_piece(tangent_row(2), crossing);
+    for (const Q& tau : {ratio<Q>(1, 4), ratio<Q>(3, 4)}) {
+      const Strip<double> at = values(forms, tau);
+      for (const double x : {at.speed_c, at.speed_d, at.across_c, at.across_d}) EXPECT_GT(x, 0) << tau.text();
+    }
+  }
 }
 
 /// The edge of regression of a tangent surface keeps its curvature in the plane, so the rulings turn by the curvature

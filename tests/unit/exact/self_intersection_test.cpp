@@ -375,6 +375,21 @@ TEST(SelfIntersection, SizesDoNotMatter) {
   }
 }
 
+/// A slab through a wall near the upper end of its last ruling, away from the other three corners of the wall.
+TEST(SelfIntersection, EveryCornerCounts) {
+  const auto at = [](int x, int y, int z) { return Point(ratio<Q>(x, 20), ratio<Q>(y, 20), ratio<Q>(z, 20)); };
+  const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3), Q(4), Q(5)});
+  const Row c{at(0, 0, 0), at(40, 0, 0), at(80, 0, 18), at(80, -40, 18), at(38, -10, 18), at(38, 10, 18)};
+  const Row d{at(0, 0, 20), at(40, 0, 20), at(80, 0, 19), at(80, -40, 19), at(38, -10, 19), at(38, 10, 19)};
+  EXPECT_EQ(crosses(u, c, d), Truth::yes);
+  EXPECT_EQ(crosses(u, d, c), Truth::yes);
+  Row before = c;
+  Row above = d;
+  before.back() = at(38, -1, 18);
+  above.back() = at(38, -1, 19);
+  EXPECT_EQ(crosses(u, before, above), Truth::no);
+}
+
 /// With a negative weight the first arc leaves the hull of its control points, which lie at y >= 0: it comes down to y
 /// = -0.857 near x = 2.94. The last wall, at x = 2.94 from y = -20 up to -0.428, goes through it.
 TEST(SelfIntersection, ANegativeWeightLeadsOutOfTheHull) {

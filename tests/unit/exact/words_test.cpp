@@ -18,6 +18,7 @@ TEST(Words, ShortNumbersAreExactOrSayAbout) {
   Rational huge(-3);
   for (int i = 0; i < 12; ++i) huge *= Rational(huge);
   EXPECT_EQ(short_number(huge).substr(0, 8), "about 2^");
+  EXPECT_EQ(short_number(-huge).substr(0, 9), "about -2^");
 }
 
 TEST(Words, AWitnessNamesPieceIntervalAndValue) {

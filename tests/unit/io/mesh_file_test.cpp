@@ -262,6 +262,18 @@ TEST(MeshFile, GlbIsTheSameSceneInChunks) {
   EXPECT_EQ(scene, gltf);
 }
 
+/// The specification of binary glTF has blanks behind the scene and zeros behind the numbers.
+TEST(MeshFile, TheSceneInAGlbEndsWithBlanks) {
+  std::vector<NamedMesh> meshes = single_meshes();
+  for (int i = 0; i < 4; ++i) {
+    meshes[0].name += 'x';
+    const Bytes glb(glb_bytes(meshes));
+    const std::string scene = glb.text().substr(20, glb.word(12));
+    EXPECT_EQ(scene.find('\0'), std::string::npos);
+    EXPECT_EQ(scene.size() - scene.find_last_not_of(' ') - 1, 3 - (scene.find_last_not_of(' ') % 4));
+  }
+}
+
 TEST(MeshFile, SinglePrecisionInALoop) {
   MeshVector x = two_meshes()[0].mesh.points[1];
   x = in_single(x);

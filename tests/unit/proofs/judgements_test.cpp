@@ -86,6 +86,20 @@ TEST(EveryEngine, HypothesesThatNoInputMeets) {
   EXPECT_EQ(mutation(claim).detail, "n=2, N=2: nothing to corrupt");
 }
 
+/// Inputs that the hypotheses leave out tell nothing of a wrong variant.
+TEST(Mutation, AWrongVariantThatNoInputMeetsSurvives) {
+  const auto residual = []<class S>(const Given<S>& in, Equations<S>& e) {
+    e.equal(in.x, in.mutant.is(1) ? in.y : in.x);
+  };
+  SmallClaim met{facts(2, 2), Always(), residual};
+  met.info.mutants = {"y for x"};
+  EXPECT_EQ(mutation(met).mutants.killed, 1);
+  SmallClaim unmet{facts(2, 2), []<class S>(const Given<S>& in) { return NonZero<S>{{in.x - in.x}}; }, residual};
+  unmet.info.mutants = {"y for x"};
+  EXPECT_EQ(mutation(unmet).mutants.killed, 0);
+  EXPECT_EQ(mutation(unmet).mutants.survived, 1);
+}
+
 TEST(EveryEngine, AClaimThatIsFalseAtOneSize) {
   const SmallClaim claim{facts(3, 2), Always(), []<class S>(const Given<S>& in, Equations<S>& equations) {
                            equations.equal(in.x, in.size == Size{2, 2} ? in.y : in.x);

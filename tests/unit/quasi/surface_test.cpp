@@ -195,6 +195,8 @@ TEST(QuasiSurface, RefusesWhatIsNotItsCase) {
     }
   };
   refused(identity_mapping(bezier_knots<Q>(2)), "one of these lies inside [0, 1]");
+  const Spline<Q, Point3> late = drawn<3>(KnotList<Q>(2, {Q(0), Q(0), ratio<Q>(3, 4), Q(1), Q(1)}), 12);
+  EXPECT_THROW(quasi_surface(c1, late, identity_mapping(bezier_knots<Q>(2))), InvalidInput);
   refused(mapping_of(bezier_knots<Q>(1), {Q(0), Q(2)}), "found [0, 2]");
   refused(mapping_of(bezier_knots<Q>(1), {ratio<Q>(1, 4), Q(0)}), "increases");
   refused(identity_mapping(bezier_knots<Q>(1, Q(0), Q(2))), "first rail");

@@ -64,6 +64,18 @@ TEST(Inputs, TheFileHoldsTheSameNumbers) {
   EXPECT_EQ(file.knots[3], Q::from_double(in.knots[3]));
 }
 
+/// A design that puts M* between the knots, or before them, has none behind them.
+TEST(Inputs, MIsInOnePlace) {
+  for (const Factor factor : {Factor::inside, Factor::before}) {
+    Design design;
+    design.variations = {{factor, {0.5}}};
+    const Levels levels = design.levels(0);
+    EXPECT_EQ(levels[factor], 0.5);
+    EXPECT_EQ(levels[Factor::after], 0);
+  }
+  EXPECT_NE(Design().levels(0)[Factor::after], 0);
+}
+
 /// All routes of a problem compute the same numbers.
 TEST(Routes, AgreeExactly) {
   const Case in = some_case(7, 4);

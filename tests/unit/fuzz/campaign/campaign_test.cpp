@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "torse/fuzz/campaign/crash.hpp"
+#include "torse/fuzz/campaign/crew.hpp"
 #include "torse/fuzz/campaign/messages.hpp"
 #include "torse/io/document.hpp"
 #include "unit/fuzz/campaign/support.hpp"
@@ -288,6 +289,23 @@ TEST_F(Campaigns, AnotherProgramIsNoHelp) {
   Plan deep = plan;
   deep.effort = proofs::Effort::deep;
   EXPECT_NE(plan_number(plan, "b"), plan_number(deep, "b"));
+}
+
+/// What a process has done before it gives up is kept.
+TEST_F(Campaigns, ResultsOfAProcessThatFailsAreStored) {
+  const Plan plan = plan_of({1, 3});
+  Hall hall(2);
+  Hall::Seat seat = hall.seat(1);
+  Hall::Seat leader = hall.seat(0);
+  Crew crew(&leader, plan, "build");
+  Report report{plan_number(plan, "build"), 0, true, "went wrong", {}};
+  report.results.push_back({plan.series(1), 2, run_seed(*plan.properties[1], plan.effort, 2), 1000});
+  seat.send(0, to_bytes(report, plan));
+  Schedule schedule(plan, std::vector<SeedSet>(plan.properties.size(), SeedSet(all_seeds)));
+  std::vector<UnitResult> results;
+  EXPECT_THROW(crew.serve(schedule, false, results), Error);
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(results[0].seed, 2U);
 }
 
 TEST(Messages, AreReadAsTheyWereWritten) {

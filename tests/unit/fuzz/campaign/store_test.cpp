@@ -258,6 +258,23 @@ TEST_F(Databases, KeepTheLaterOfEqualResultsInEitherOrder) {
   }
 }
 
+/// The tokens of runs of the same second decide, so that either order comes to the same.
+TEST_F(Databases, KeepTheSameOfEqualResultsOfOneSecondInEitherOrder) {
+  UnitResult slower = unit_of("p", 7, 0);
+  slower.microseconds = 2000;
+  {
+    Store a(file("a"), Open::create);
+    Store b(file("b"), Open::create);
+    put_all(a, run_of("t", "build"), {unit_of("p", 7, 0)});
+    put_all(b, run_of("u", "build"), {slower});
+  }
+  for (const std::vector<std::string>& order : {std::vector{file("a"), file("b")}, std::vector{file("b"), file("a")}}) {
+    Store into(order.front() + "+", Open::create);
+    merge(into, order);
+    EXPECT_EQ(into.total({"p", "quick"}, all_seeds).microseconds, 2000);
+  }
+}
+
 TEST_F(Databases, AreAsTheyWereAfterAMergeThatFails) {
   {
     Store into(file("a"), Open::create);
