@@ -20,7 +20,7 @@
 #include "torse/exact/quasi/unit_rows.hpp"
 #include "torse/exact/warp/quotient.hpp"
 #include "torse/scalar/builtin.hpp"
-#include "torse/spline/insertion.hpp"
+#include "torse/spline/closed.hpp"
 
 namespace torse {
 namespace {
@@ -377,14 +377,8 @@ SelfIntersection find_self_intersection(const KnotList<Q>& u, std::span<const Ve
                                                 boxes_of(forms.a), boxes_of(forms.w), boxes_of(forms.b), &forms}));
     parts.back()->close();
   }
-  const auto end_point = [&](std::span<const Vec<Q, D>> row, int k, const Q& t) {
-    Vec<Q, D> x = curve_point<Q, Vec<Q, D>>(u, row, k, t);
-    if constexpr (D == 4) divide(x, Q(x[0]));
-    return x;
-  };
-  const std::vector<int> pieces = u.proper_pieces();
   const auto closes = [&](std::span<const Vec<Q, D>> row) {
-    return end_point(row, pieces.front(), u.domain_begin()) == end_point(row, pieces.back(), u.domain_end());
+    return closed(Spline<Q, Vec<Q, D>>(u, {row.begin(), row.end()}));
   };
   return Search(parts, closes(c) && closes(d), CrossingFinder(u, c, d), budget(u.degree(), most_pairs)).result();
 }

@@ -26,9 +26,10 @@ struct SelfIntersection {
 ///   (the vertex of a cone).
 /// `yes` is certified by a crossing near the witness, see CrossingFinder; rulings that slide along themselves do.
 /// `unknown` where `most_pairs` pairs of parts did not tell, as for strips that touch themselves or have their edge of
-/// regression between the rails. The ends of a closed strip may meet. D = 3: points of a polynomial surface, D = 4:
-/// homogeneous rows. Where a rail's weights have both signs, parts are neither separated nor in order before
-/// subdivision has parted these.
+/// regression between the rails. The ends of a strip may meet where both rails close in finite points: those that begin
+/// and end at infinity are not closed. D = 3: points of a polynomial surface, D = 4: homogeneous rows. Where a rail's
+/// weights have both signs, parts are neither separated nor in order before subdivision has parted these; that never
+/// parts them where a rail is infinite.
 template <int D>
 SelfIntersection find_self_intersection(const KnotList<Rational>& u, std::span<const Vec<Rational, D>> c,
                                         std::span<const Vec<Rational, D>> d, long most_pairs = 20'000);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,14 +26,28 @@ using quasi::DoubleSurface;
 
 DoublePoint rounded(const P& x) { return {x[0].to_double(), x[1].to_double(), x[2].to_double()}; }
 
+/// A parameter as a share of the domain, however far from 0 that is.
+double share_of(const KnotList<Q>& u, const Q& t) {
+  return Q((t - u.domain_begin()) / (u.domain_end() - u.domain_begin())).to_double();
+}
+
+/// The Bezier pieces over [0, 1], without those that are empty there.
 DoubleSurface rounded(const ExactSurface& surface) {
-  std::vector<double> knots;
-  for (const Q& t : surface.knots.list()) knots.push_back(t.to_double());
-  std::vector<DoublePoint> c;
-  std::vector<DoublePoint> d;
-  for (const P& x : surface.c) c.push_back(rounded(x));
-  for (const P& x : surface.d) d.push_back(rounded(x));
-  return DoubleSurface(KnotList<double>(surface.knots.degree(), std::move(knots)), std::move(c), std::move(d));
+  const KnotList<Q>& u = surface.knots;
+  const auto polygon = [&](std::span<const P> row, int k) {
+    std::vector<DoublePoint> points;
+    for (const P& x : bezier_points(u, row, k)) points.push_back(rounded(x));
+    return points;
+  };
+  std::vector<double> list{0};
+  std::vector<SurfacePiece<DoublePoint>> pieces;
+  for (const int k : u.proper_pieces()) {
+    const double end = share_of(u, u.piece_end(k));
+    if (!(end > list.back())) continue;
+    list.push_back(end);
+    pieces.push_back({polygon(surface.c_row(), k), polygon(surface.d_row(), k)});
+  }
+  return join_pieces(list, pieces, u.degree());
 }
 
 /// The search in doubles for knots of one degree.
@@ -120,7 +135,7 @@ ExactSurface exact_surface(const KnotSearch::State& state, int degree, const Exa
   std::vector<Breakpoint> left = state.inside;
   std::vector<Q> list(static_cast<std::size_t>(degree), like.knots.domain_begin());
   for (const Q& t : breakpoints(like.knots, like.knots)) {
-    const auto found = std::ranges::find(left, t.to_double(), &Breakpoint::t);
+    const auto found = std::ranges::find(left, share_of(like.knots, t), &Breakpoint::t);
     if (found == left.end()) continue;
     list.insert(list.end(), static_cast<std::size_t>(found->multiplicity), t);
     left.erase(found);

@@ -26,8 +26,9 @@ struct SimplifiedSurface {
 /// A surface of the given degree whose knots are some of the breakpoints of the given clamped surface, by least
 /// squares, within `tolerance` (a length) of it; nothing if even all breakpoints with as many knots as the degree give
 /// none. Knots are removed in the order of the jumps of their derivatives until no other single one can be: few, but no
-/// proof that there are not fewer. Throws InvalidInput naming "tolerance" unless it is positive, "degree" unless it is
-/// at least 1 and at most that of the surface, "knots" for a surface that is not clamped.
+/// proof that there are not fewer. Breakpoints whose shares of the domain are one double count as the first of them.
+/// Throws InvalidInput naming "tolerance" unless it is positive, "degree" unless it is at least 1 and at most that of
+/// the surface, "knots" for a surface that is not clamped.
 std::optional<SimplifiedSurface> with_fewest_knots(const ExactSurface& surface, int degree, const Rational& tolerance);
 
 /// The one of the lowest degree for which there is one. The surface itself where there is none.

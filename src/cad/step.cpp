@@ -237,6 +237,7 @@ class StepFile {
       if (item.surface.IsNull()) throw Unreadable(without_surface(face.number, model_, model_->Number(item.entity)));
       if (faces.empty()) {
         fill(item, nullptr, main, face);
+        face.placement = placement_of(gp_Trsf(), scale);
         if (item.entity != Entity(item.surface)) face.remark = "its boundary cannot be used: the whole surface";
       } else {
         fill(item, &faces[i], main, face);
@@ -247,7 +248,8 @@ class StepFile {
     }
   }
 
-  /// B-spline surfaces come from the entity, number for number; others from the face, in the main unit.
+  /// B-spline surfaces come from the entity, number for number; others from the face, in the main unit, or from the
+  /// entity where there is none.
   void fill(const Item& item, const TopoDS_Face* shape, const Units& main, CadFace& face) const {
     std::optional<Box> box;
     if (shape != nullptr)

@@ -175,8 +175,29 @@ std::vector<TrimLine> trim_lines(const SnappedMapping& exact, const RailsFile<Ra
           {rails.c.knots.domain_end(), parameter_of(exact, rails.d.knots.domain_end())}};
 }
 
-RuledFile<Rational> ruled_file(const RuledSpline<Rational, Row>& surface) {
-  return {surface.knots, dehomogenize<Rational, 4>(surface.c), dehomogenize<Rational, 4>(surface.d)};
+/// The first row of weight 0 that is not an end of a Bezier piece; 0 for none.
+std::size_t row_at_infinity(const RuledSpline<Rational, Row>& surface) {
+  const std::size_t degree = static_cast<std::size_t>(surface.knots.degree());
+  for (std::size_t i = 0; i < surface.c.size(); ++i) {
+    if (i % degree != 0 && (surface.c[i][0].sign() == 0 || surface.d[i][0].sign() == 0)) return i;
+  }
+  return 0;
+}
+
+/// The surface of a mapping. A finite piece of a rail whose weights have both signs may have a control point at
+/// infinity: the mapping gets a knot in its middle. Throws InvalidInput naming "weights[i]" where that does not help,
+/// since a rail is infinite at a knot.
+RuledFile<Rational> surface_of(const RailsFile<Rational>& rails, Mapping<Rational>& sigma) {
+  for (int left = 100;; --left) {
+    const RuledSpline<Rational, Row> surface = quasi_surface(curve_of(rails.c), curve_of(rails.d), sigma);
+    const KnotList<Rational>& u = surface.knots;
+    const int row = static_cast<int>(row_at_infinity(surface));
+    if (row == 0 || left == 0) {
+      return {u, dehomogenize<Rational, 4>(surface.c), dehomogenize<Rational, 4>(surface.d)};
+    }
+    const int begin = row - row % u.degree();
+    sigma = insert_knot(sigma, Rational((u[begin] + u[begin + u.degree()]) / Rational(2)));
+  }
 }
 
 void require_size(const RailsFile<Rational>& rails, const FitWishes& wishes) {
@@ -344,12 +365,13 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
   const quasi::Rails old = unit_rails(rails);
   const RailsFile<Rational>& used = found.rails;
   const Mapping<double> sigma = found.method.sigma;
+  RuledFile<Rational> surface = surface_of(used, found.exact.sigma);
   FittedStrip strip{
       .method = std::move(found.method),
       .sigma = found.exact.sigma,
       .change = found.exact.change / (used.d.knots.domain_end() - used.d.knots.domain_begin()),
       .monotony = decide_monotony(found.exact.sigma),
-      .surface = ruled_file(quasi_surface(curve_of(used.c), curve_of(used.d), found.exact.sigma)),
+      .surface = std::move(surface),
       .simplified = {},
       .before = quasi::warp_statistics(old, same_parameter(), measured_rulings),
       .after = found.after,

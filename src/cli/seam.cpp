@@ -1,6 +1,7 @@
 #include "torse/cli/seam.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "torse/cli/fitting.hpp"
 #include "torse/spline/closed.hpp"
@@ -18,25 +19,31 @@ constexpr double least_gain = 0.99;
 
 Curve curve_of(const CurveFile<Rational>& rail) { return {rail.knots, homogeneous(rail.net)}; }
 
-/// The rails with d from its parameter a + share (b - a) on, 0 <= share < 1.
-RailsFile<Rational> from_share(const RailsFile<Rational>& rails, const Rational& share) {
+/// The rails with d from its parameter a + share (b - a) on, 0 <= share < 1; none where a control point of d would lie
+/// at infinity, as the knot there can have it where weights have both signs.
+std::optional<RailsFile<Rational>> from_share(const RailsFile<Rational>& rails, const Rational& share) {
   if (share == Rational(0)) return rails;
   const Curve d = curve_of(rails.d);
   const Rational& a = d.knots.domain_begin();
   const Curve moved = rotated(d, Rational(a + share * (d.knots.domain_end() - a)));
-  return {rails.c, {moved.knots, dehomogenize<Rational, 4>(moved.control)}};
+  if (std::ranges::any_of(moved.control, [](const Row& row) { return row[0].sign() == 0; })) return std::nullopt;
+  return RailsFile<Rational>{rails.c, {moved.knots, dehomogenize<Rational, 4>(moved.control)}};
 }
 
 /// A place of the seam and the measure of its fit, in degrees.
 struct Trial {
   Rational share;
   double value;
+  RailsFile<Rational> rails;
 };
 
-Trial trial_at(const RailsFile<Rational>& rails, Rational share, const quasi::FitOptions& options) {
+std::optional<Trial> trial_at(const RailsFile<Rational>& rails, Rational share, const quasi::FitOptions& options) {
   if (share < Rational(0)) share += Rational(1);
   if (!(share < Rational(1))) share -= Rational(1);
-  return {share, quasi::fit_rails(unit_rails(from_share(rails, share)), options).value};
+  std::optional<RailsFile<Rational>> moved = from_share(rails, share);
+  if (!moved) return std::nullopt;
+  const double value = quasi::fit_rails(unit_rails(*moved), options).value;
+  return Trial{std::move(share), value, *std::move(moved)};
 }
 
 }  // namespace
@@ -46,11 +53,11 @@ bool closed_rails(const RailsFile<Rational>& rails) { return closed(curve_of(rai
 std::optional<Seam> best_seam(const RailsFile<Rational>& rails, quasi::FitOptions options) {
   options.coefficients = std::max(options.degree + 1, std::min(options.coefficients, trial_coefficients));
   options.adaptive = false;
-  const Trial own = trial_at(rails, Rational(0), options);
-  Trial best = own;
+  Trial best = trial_at(rails, Rational(0), options).value();
+  const double own = best.value;
   const auto attempt = [&](const Rational& share) {
-    const Trial trial = trial_at(rails, share, options);
-    if (trial.value < best.value) best = trial;
+    std::optional<Trial> trial = trial_at(rails, share, options);
+    if (trial && trial->value < best.value) best = *std::move(trial);
   };
   for (int i = 1; i < first_places; ++i) attempt(ratio<Rational>(i, first_places));
   Rational step = ratio<Rational>(1, first_places);
@@ -60,9 +67,9 @@ std::optional<Seam> best_seam(const RailsFile<Rational>& rails, quasi::FitOption
     attempt(middle - step);
     attempt(middle + step);
   }
-  if (!(best.value < least_gain * own.value)) return std::nullopt;
+  if (!(best.value < least_gain * own)) return std::nullopt;
   const KnotList<Rational>& u = rails.d.knots;
-  return Seam{u.domain_begin() + best.share * (u.domain_end() - u.domain_begin()), from_share(rails, best.share)};
+  return Seam{u.domain_begin() + best.share * (u.domain_end() - u.domain_begin()), std::move(best.rails)};
 }
 
 }  // namespace torse::cli

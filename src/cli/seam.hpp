@@ -21,7 +21,8 @@ struct Seam {
 };
 
 /// The best of 32 even parameters of d, and of those between by halving five times, by a fit with fixed ends, even
-/// knots and at most 20 coefficients. None where d does best from its own begin on, or another gains less than 1 %.
+/// knots and at most 20 coefficients; one from which on a control point would lie at infinity is left out. None where d
+/// does best from its own begin on, or another gains less than 1 %.
 std::optional<Seam> best_seam(const RailsFile<Rational>& rails, quasi::FitOptions options);
 
 }  // namespace torse::cli

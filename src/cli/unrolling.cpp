@@ -160,17 +160,23 @@ Unrolled unrolled(const Face& face, const UnrollWishes& wishes) {
     return {.refusal = "cannot lie flat as one plate: " + singular_text(obstacles, most_obstacles),
             .code = exit_code::refuted};
   }
-  PlateSheet sheet{unroll_plate(strips, {.tolerance = tolerance,
-                                         .marks = ruling_marks(surface.knots, strips, wishes.rulings),
-                                         .warp_degrees = flatness.warp.upper(),
-                                         .mirrored = wishes.mirrored,
-                                         .stations = stations}),
-                   face,
-                   std::move(flatness.judgement),
-                   flatness.warp,
-                   wishes.unit,
-                   tolerance,
-                   wishes.mirrored};
+  std::optional<Plate> plate;
+  try {
+    plate = unroll_plate(strips, {.tolerance = tolerance,
+                                  .marks = ruling_marks(surface.knots, strips, wishes.rulings),
+                                  .warp_degrees = flatness.warp.upper(),
+                                  .mirrored = wishes.mirrored,
+                                  .stations = stations});
+  } catch (const InvalidInput& invalid) {  // too fine a tolerance for this surface
+    return {.refusal = invalid.what(), .code = exit_code::unusable};
+  }
+  PlateSheet sheet{.plate = *std::move(plate),
+                   .face = face,
+                   .judgement = std::move(flatness.judgement),
+                   .warp = flatness.warp,
+                   .unit = wishes.unit,
+                   .tolerance = tolerance,
+                   .mirrored = wishes.mirrored};
   const int code = plate_exit(sheet);
   return {.sheet = std::move(sheet), .code = code};
 }

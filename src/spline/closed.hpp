@@ -10,6 +10,14 @@
 
 namespace torse {
 
+/// Whether the curve begins and ends in one point.
+template <ExactField S>
+bool closed(const Spline<S, Vec<S, 3>>& curve) {
+  const KnotList<S>& u = curve.knots;
+  return curve_point(u, curve.points(), u.proper_pieces().front(), u.domain_begin()) ==
+         curve_point(u, curve.points(), u.proper_pieces().back(), u.domain_end());
+}
+
 /// Whether the curve with these homogeneous rows w (1, c) begins and ends in one finite point.
 template <ExactField S>
 bool closed(const Spline<S, Vec<S, 4>>& curve) {

@@ -356,30 +356,6 @@ TEST_F(Step, ElementaryFacesAreInTheFilesUnitToo) {
   }
 }
 
-/// One part in millimetres, another in metres: the model is in the unit of the first.
-TEST_F(Step, PartsInTwoUnitsAreInOne) {
-  StepText step;
-  const auto part = [&](const std::string& name, const std::string& context) {
-    const std::string surface = step.spline("", 1, 1, {{"0.,0.,0.", "0.,4.,0."}, {"4.,0.,0.", "4.,4.,4."}}, unit_knots);
-    const std::string face = step.face(name, surface, {"0.,0.,0.", "4.,0.,0.", "4.,4.,4.", "0.,4.,0."});
-    const std::string shell = step.add("OPEN_SHELL('',(" + face + "))");
-    const std::string model = step.add("SHELL_BASED_SURFACE_MODEL('',(" + shell + "))");
-    step.product(step.add("MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(" + model + ")," + context + ")"));
-  };
-  part("small", step.context());
-  const std::string length = step.add("(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.))");
-  const std::string angle = step.add("(NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.))");
-  const std::string solid = step.add("(NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT())");
-  part("large", step.add("(GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNIT_ASSIGNED_CONTEXT((" + length + "," + angle +
-                         "," + solid + ")) REPRESENTATION_CONTEXT('',''))"));
-  const auto read = faces(step.whole());
-  ASSERT_EQ(read.size(), 2U);
-  EXPECT_EQ(read[0].cad->unit, "mm");
-  EXPECT_EQ(read[0].surface->d.points[1][2], q("4"));
-  EXPECT_EQ(read[1].cad->unit, "mm");
-  EXPECT_EQ(read[1].surface->d.points[1][2], q("4000"));
-}
-
 /// A cone of half a right angle and radius 1 at z = 0, its angle in degrees.
 TEST_F(Step, AnglesAreInTheFilesUnit) {
   StepText step;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "regress/fit_rails.hpp"
+#include "torse/quasi/mapping.hpp"
 
 namespace torse::testing {
 namespace {
@@ -45,6 +46,46 @@ TEST_F(Fit, HardRailsGiveACertifiedSurfaceNoWorseThanTheSameParameter) {
     EXPECT_LE(report.at("max_warp_deg").at("hi"), 90);
     EXPECT_EQ(run_program({"check", file("out.json"), "--json", file("check.json")}).exit, 1);
   }
+}
+
+/// Two thirds of a circle, whose weights 1, -1/2, 1 become 1, 0, 0, 1 for degree 3, and an ellipse that is cut at a
+/// knot of the other rail where its weights become 1, 0, 1/2.
+TEST_F(Fit, FinitePiecesWithControlPointsAtInfinityAreCut) {
+  const std::string arc = R"({"degree": 2, "points": [[0,0,0],["1/2",-1,0],[1,0,0]], "weights": [1, "-1/2", 1]})";
+  const std::string oval = R"({"degree": 2, "points": [[1,0,0],[0,3,0],[-1,0,0]], "weights": [1, "-1/3", 1]})";
+  const std::string bent = R"({"degree": 2, "knots": [0,0,"3/4",1,1], "points": [[0,0,3],[1,2,4],[2,2,3],[4,0,3]]})";
+  for (const auto& [rail, other] : {std::pair{arc, "{" + smooth}, {"{" + smooth, arc}, {oval, bent}, {bent, oval}}) {
+    const std::string rails = R"({"torse": 1, "type": "rails", "c": )" + rail + R"(, "d": )" + other + "}";
+    this->report(rails, {"--method", "same"});
+    const RuledFile<Q> surface = written();
+    const bool first = rail == arc || rail == oval;
+    EXPECT_EQ(surface.knots.proper_pieces().size(), rail == arc || other == arc ? 2U : 3U);
+    const WeightedPoints<Q, 3>& net = first ? surface.c : surface.d;
+    const Document document("rails", rails);
+    const CurveFile<Q> given = first ? read_rails<Q>(document).c : read_rails<Q>(document).d;
+    const Spline<Q, Vec<Q, 4>> old(given.knots, homogeneous(given.net));
+    const Spline<Q, Vec<Q, 4>> now(surface.knots, homogeneous(net));
+    for (const Q& t : {ratio<Q>(1, 7), ratio<Q>(2, 5), ratio<Q>(9, 10)}) {
+      const auto at = [&](const Spline<Q, Vec<Q, 4>>& curve) {
+        return dehomogenize<Q, 4>({curve_point(curve.knots, curve.points(), piece_at(curve.knots, t), t)}).points[0];
+      };
+      EXPECT_EQ(at(now), at(old));
+    }
+  }
+}
+
+/// A first piece so short that no rulings lay it flat within the tolerance: the surface is there without its plate.
+TEST_F(Fit, ASurfaceWithoutAPlateIsWrittenAllTheSame) {
+  const std::string rails = R"({"torse": 1, "type": "rails",
+    "c": {"degree": 2, "knots": [0,0,1,"1e20","1e20"], "points": [[0,0,0],[1,2,0],[2,0,1],[3,0,0]]},
+    "d": {"degree": 1, "points": [[0,-2,3],[0,-2,3]]}})";
+  const ProgramResult result =
+      run(rails, {"--method", "same", "--unroll", file("plate.svg"), "--json", file("report.json")});
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.out, HasSubstr("no plate: tolerance: more than 5001 rulings do not reach it"));
+  EXPECT_EQ(written().c.points.back(), (Vec<Q, 3>(Q(3), Q(0), Q(0))));
+  const json plate = json::parse(slurp(file("report.json"))).at("surfaces").at(0).at("plate");
+  EXPECT_EQ(plate.at("unrolled"), false);
 }
 
 /// The warp is free of scale, so sizes of a millionth and a million give the same surface but for its size.

@@ -24,6 +24,17 @@ std::string turned_brim(const Q& begin) {
   return write_rails(rails);
 }
 
+/// An ellipse at height z, its first arc longer than half of it, by a negative weight.
+CurveFile<Q> ellipse(int z) {
+  CurveFile<Q> curve{KnotList<Q>(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2)}), {}};
+  for (const auto& [x, y] : {std::pair{1, 0}, {0, 3}, {-1, 0}, {0, 3}, {1, 0}}) {
+    curve.net.points.push_back({Q(x), Q(y), Q(z)});
+  }
+  const Q third = ratio<Q>(1, 3);
+  curve.net.weights = {Q(1), -third, Q(1), third, Q(1)};
+  return curve;
+}
+
 json report_on(const std::string& rails, const Scratch& scratch) {
   const std::string report = (scratch / "report.json").string();
   const ProgramResult result =
@@ -45,6 +56,21 @@ TEST(FitSeam, IsFoundWhereTheRailsOfAFileBeginApart) {
   const RuledFile<Q> surface = read_ruled<Q>(Document("out.json", slurp(scratch / "out.json")));
   EXPECT_EQ(surface.c.points.front(), surface.c.points.back());
   EXPECT_EQ(surface.d.points.front(), surface.d.points.back());
+}
+
+/// From 1/4 on, and up to 3/4, the first arc has a control point with weight (1 - t) - t/3 or t - (1 - t)/3: at
+/// infinity.
+TEST(FitSeam, PlacesWhereAControlPointLiesAtInfinityAreLeftOut) {
+  const Scratch scratch;
+  RailsFile<Q> rails{ellipse(5), ellipse(0)};
+  const std::string file = (scratch / "ellipses.json").string();
+  spill(file, write_rails(rails));
+  EXPECT_FALSE(report_on(file, scratch).contains("seam"));
+  const Spline<Q, Vec<Q, 4>> moved =
+      rotated(Spline<Q, Vec<Q, 4>>(rails.d.knots, homogeneous(rails.d.net)), ratio<Q>(1, 8));
+  rails.d = {moved.knots, dehomogenize<Q, 4>(moved.control)};
+  spill(file, write_rails(rails));
+  EXPECT_EQ(report_on(file, scratch).at("seam"), "2") << "the old begin, after all 15 even places from 1/8 on";
 }
 
 }  // namespace

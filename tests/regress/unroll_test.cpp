@@ -209,7 +209,7 @@ TEST_F(Unroll, UsageAndInput) {
   EXPECT_THAT(refusal(cone, {"--tolerance", "1e-30"}, 2), HasSubstr("--tolerance: expected"));
   EXPECT_THAT(refusal(cone, {"--tolerance", "x"}, 2), HasSubstr("--tolerance: expected a number"));
   EXPECT_THAT(refusal(cone, {"--tolerance", "1e-9"}, 2),
-              HasSubstr("tolerance: more than 5001 rulings do not reach it"));
+              HasSubstr("json: tolerance: more than 5001 rulings do not reach it"));
   EXPECT_THAT(refusal(cone, {"--unit", "furlong"}, 2), HasSubstr("--unit: expected one of mm"));
   EXPECT_THAT(refusal(cone, {"--rulings", "0"}, 2), HasSubstr("--rulings"));
   EXPECT_THAT(refusal(cone, {"--rulings", "5001"}, 2), HasSubstr("--rulings"));

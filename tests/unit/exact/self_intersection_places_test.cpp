@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "torse/exact/quasi/self_intersection.hpp"
@@ -67,6 +68,23 @@ TEST(SelfIntersectionPlaces, WallsOfOtherWeights) {
 TEST(SelfIntersectionPlaces, ASeamOfOtherWeightsIsNone) {
   const Corners square{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
   EXPECT_EQ(walls_cross(square, 1, {Q(1), Q(1), Q(1), Q(1), Q(3)}), Truth::no);
+}
+
+/// In a plane, without a knot of multiplicity 2 at the begin: there a row is half the sum of the first two, whose
+/// weights may be 1 and -1, and its rail comes from the left. In the second piece the rulings all pass (1, 1/2), or are
+/// parallel: those near infinity are apart from none.
+TEST(SelfIntersectionPlaces, RailsThatBeginAtInfinity) {
+  const KnotList<Q> u(2, {Q(0), Q(1), Q(2), Q(2), Q(3), Q(3)});
+  const auto row = [](int w, int x, int y) { return Vec<Q, 4>(Q(w), Q(w * x), Q(w * y), Q(0)); };
+  const auto rail = [&](bool infinite, int y, const std::array<int, 3>& x) {
+    return Row{infinite ? row(1, 0, y) : row(-1, -4, y), row(-1, -2, y), row(-1, x[0], y), row(-1, x[1], y),
+               row(-1, x[2], y)};
+  };
+  for (const auto& [c, d] : {std::pair{true, true}, {true, false}, {false, true}}) {
+    EXPECT_EQ(find_self_intersection<4>(u, rail(c, 0, {0, 1, 2}), rail(d, 1, {2, 1, 0})).crosses, Truth::yes);
+    EXPECT_EQ(find_self_intersection<4>(u, rail(c, 0, {0, 1, 2}), rail(d, 1, {0, 1, 2})).crosses, Truth::unknown);
+  }
+  EXPECT_EQ(find_self_intersection<4>(u, rail(false, 0, {0, 1, 2}), rail(false, 1, {0, 1, 2})).crosses, Truth::no);
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ ExactSurface result(int ripple) {
 double largest_sampled_distance(const ExactSurface& x, const ExactSurface& y) {
   double largest = 0;
   for (int i = 0; i <= 400; ++i) {
-    const Q t = ratio<Q>(i, 400);
+    const KnotList<Q>& domain = y.knots;
+    const Q t = domain.domain_begin() + ratio<Q>(i, 400) * (domain.domain_end() - domain.domain_begin());
     const auto at = [&](const KnotList<Q>& u, const std::vector<P>& row) {
       return curve_point<Q, P>(u, row, piece_at(u, t), t);
     };
@@ -161,6 +162,34 @@ TEST(Simplify, KnotsNearerThanDoublesAreOne) {
   ASSERT_TRUE(found.has_value());
   expect_near(*found, surface, Q(1) / Q(1000));
   EXPECT_EQ(found->surface.knots.list(), (std::vector<Q>{Q(0), Q(0), middle, middle, Q(1), Q(1)}));
+}
+
+/// As Algorithm 1 gives knots, each as often as the degree is, and over a domain whose ends are one double too: a strip
+/// of degree 2 that is x = t, with a piece between that doubles do not tell.
+TEST(Simplify, PiecesNearerThanDoublesAreLeftOut) {
+  const Q begin = Q::from_text("100000000000000000000");
+  const auto strip = [&](const Q& at) {
+    std::vector<Q> knots;
+    std::vector<P> c, d;
+    const std::vector<Q> breaks{Q(0), at, at + Q::from_double(0x1p-60), Q(1)};
+    for (std::size_t i = 0; i < breaks.size(); ++i) {
+      knots.insert(knots.end(), 2, begin + breaks[i]);
+      const Q& t = breaks[i];
+      for (auto* row : {&c, &d}) {
+        if (i > 0) row->push_back(P((breaks[i - 1] + t) / Q(2), breaks[i - 1] * t, Q(row == &c ? 0 : 1)));
+        row->push_back(P(t, t * t, Q(row == &c ? 0 : 1)));
+      }
+    }
+    return ExactSurface(KnotList<Q>(2, knots), c, d);
+  };
+  for (const Q& at : {Q(1) / Q(2), Q::from_double(0x1p-80), Q(1) - Q::from_double(0x1p-58)}) {
+    const ExactSurface surface = strip(at);
+    const SimplifiedSurface found = with_fewest_points(surface, Q(1) / Q(1000000));
+    expect_near(found, surface, Q(1) / Q(1000000));
+    EXPECT_EQ(found.surface.knots.list(), (std::vector<Q>{begin, begin, begin + Q(1), begin + Q(1)}));
+    EXPECT_NEAR(found.surface.c[1][0].to_double(), 0.5, 1e-9) << "the blossom of (t, t^2) at 0 and 1";
+    EXPECT_NEAR(found.surface.c[1][1].to_double(), 0, 1e-9);
+  }
 }
 
 TEST(Simplify, RefusesWhatIsNoQuestion) {

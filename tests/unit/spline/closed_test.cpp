@@ -42,6 +42,17 @@ TEST(Closed, TellsLoopsFromOthers) {
   EXPECT_FALSE(closed(open));
 }
 
+/// Points without weights; without n-fold knots at its ends the curve begins and ends between them.
+TEST(Closed, OfPointsToo) {
+  using Flat = Vec<Rational, 3>;
+  const KnotList<Rational> u(2, {q(0), q(1), q(2), q(3), q(4)});
+  const std::vector<Flat> points{{q(0), q(0), q(1)}, {q(4), q(0), q(1)}, {q(5), q(5), q(0)}, {q(-1), q(-5), q(2)}};
+  EXPECT_TRUE(closed(Spline<Rational, Flat>(u, points))) << "from (2, 0, 1) to (2, 0, 1)";
+  std::vector<Flat> open = points;
+  open.back()[2] = q(3);
+  EXPECT_FALSE(closed(Spline<Rational, Flat>(u, open)));
+}
+
 /// From infinity to infinity in one direction, and from a point to the direction of it.
 TEST(Closed, NoLoopRunsThroughInfinityAtItsEnds) {
   Curve at_infinity = loop();
