@@ -106,7 +106,7 @@ std::string CaseFiles::path(const Failure& failure) const {
 }
 
 std::string CaseFiles::replay(const Failure& failure) const {
-  return "torse " + printable(command_line({"replay", folder.empty() ? database : path(failure)}));
+  return "torse " + printable(command_line({"replay", file_word(folder.empty() ? database : path(failure))}));
 }
 
 SeriesReport series_report(fuzz::Store& store, const fuzz::Series& series, const fuzz::Seeds& seeds) {

@@ -9,6 +9,7 @@
 
 #include "torse/cli/cad_faces.hpp"
 #include "torse/cli/effort.hpp"
+#include "torse/cli/terminal.hpp"
 #include "torse/io/document.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
@@ -55,8 +56,7 @@ void add_face_inputs(CLI::App& app, FaceInput& input, const std::string& what) {
 std::vector<std::string> words_of(const std::string& file, const std::string& choice) {
   std::vector<std::string> words;
   if (!choice.empty()) words = {"--face", choice};
-  if (file.starts_with('-') && file != "-") words.emplace_back("--");
-  words.push_back(file);
+  words.push_back(file_word(file));
   return words;
 }
 

@@ -113,9 +113,9 @@ int run_replay(const std::string& file) {
   const Document document(file, text);
   const std::string& type = file_type(document);
   if (type == "case") return run_case(document);
-  if (type == "ruled") return run_commands({{"check", file}});
+  if (type == "ruled") return run_commands({{"check", file_word(file)}});
   if (type == "construct") {
-    return run_commands({{"construct", document.root().at("method").string(), file, "-o", "-"}});
+    return run_commands({{"construct", document.root().at("method").string(), file_word(file), "-o", "-"}});
   }
   document.root().at("type").expected("\"case\", \"ruled\", \"construct\" or a report of torse verify");
 }
