@@ -98,6 +98,14 @@ TEST(Report, SarifNamesTheFileByAUri) {
   }
 }
 
+TEST(Report, SarifHasNoPlaceWhereThereIsNoFile) {
+  ReportCase claim = case_of(Outcome::failed, "FJ07.3");
+  claim.file = "";
+  const json run = json::parse(sarif_report({claim}, "1.2.3"))["runs"][0];
+  ASSERT_EQ(run["results"].size(), 1U);
+  EXPECT_FALSE(run["results"][0].contains("locations")) << run;
+}
+
 TEST(Report, SarifShowsTheRulesThatAreNoUtf8) {
   ReportCase odd = case_of(Outcome::failed, "odd");
   odd.rule = "rule\xFF";
