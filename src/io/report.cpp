@@ -114,7 +114,7 @@ std::string sarif_report(const std::vector<ReportCase>& cases, const std::string
     results.push_back(sarif_result(c));
   }
   const Json driver{{"name", "torse"}, {"version", version}, {"rules", rules}};
-  const Json run{{"tool", {{"driver", driver}}}, {"results", results}};
+  const Json run{{"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
   const Json report{
       {"version", "2.1.0"}, {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"runs", Json::array({run})}};
   return report.dump(2) + '\n';

@@ -74,7 +74,8 @@ TEST(Report, SarifIsWhatItsSchemaAllows) {
   EXPECT_EQ(report["version"], "2.1.0");
   ASSERT_EQ(report["runs"].size(), 1U);
   const json& run = report["runs"][0];
-  expect_object(run, {"tool", "results"}, {});
+  expect_object(run, {"tool", "columnKind", "results"}, {});
+  EXPECT_EQ(run["columnKind"], "unicodeCodePoints");
   expect_object(run["tool"], {"driver"}, {});
   expect_object(run["tool"]["driver"], {"name", "version", "rules"}, {});
   for (const json& rule : run["tool"]["driver"]["rules"]) {
