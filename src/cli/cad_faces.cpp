@@ -41,7 +41,6 @@ Face face_of(const std::string& file, const CadModel& model, const CadFace& face
   return {.file = file,
           .name = face.name.empty() ? fmt::format("face {}", face.number) : printable(face.name),
           .number = static_cast<std::size_t>(face.number),
-          .of = model.faces.size(),
           .remark = printable(face.remark),
           .cad = note_of(model, face)};
 }

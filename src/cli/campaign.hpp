@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,14 @@ std::function<int()> define_campaign_export(CLI::App& app);
 /// Where the failing cases of a database are.
 struct CaseFiles {
   std::string database;
-  std::string folder;  ///< empty: in the database only
+  std::string folder;               ///< empty: in the database only
+  std::set<std::string> written{};  ///< the paths of the cases that have a file
 
-  /// The file of a failure, as "text.number-standard-7-0.json" in the folder; empty where there is no folder. Throws
-  /// FileError for a property whose name is none.
+  /// Where the file of a failure belongs, as "text.number-standard-7-0.json" in the folder. Throws FileError for a
+  /// property whose name is none.
   std::string path(const fuzz::Failure& failure) const;
+  /// The same where it has been written, else empty.
+  std::string file(const fuzz::Failure& failure) const;
   /// The command that runs it again, printable.
   std::string replay(const fuzz::Failure& failure) const;
 };
@@ -64,7 +68,7 @@ void add_reports(nlohmann::ordered_json& json, const std::vector<SeriesReport>& 
 /// A case for each series.
 std::vector<ReportCase> cases_of(const std::vector<SeriesReport>& reports, const CaseFiles& files);
 
-/// Writes failing cases, up to `most` of them, and returns how many. Throws FileError.
-std::size_t write_cases(const std::vector<SeriesReport>& reports, const CaseFiles& files, std::size_t most);
+/// Writes failing cases, up to `most` of them. Throws FileError.
+void write_cases(const std::vector<SeriesReport>& reports, CaseFiles& files, std::size_t most);
 
 }  // namespace torse::cli

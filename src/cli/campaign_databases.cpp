@@ -97,9 +97,9 @@ int merge(const std::string& into, const std::vector<std::string>& from) {
 int export_cases(const std::string& database, const std::string& folder) {
   fuzz::Store store(database, Open::existing);
   const std::vector<SeriesReport> reports = all_reports(store);
-  const CaseFiles files{database, folder};
-  const std::size_t count = write_cases(reports, files, std::numeric_limits<std::size_t>::max());
-  Terminal(stdout).print(fmt::format("{} failing cases\n", count));
+  CaseFiles files{database, folder};
+  write_cases(reports, files, std::numeric_limits<std::size_t>::max());
+  Terminal(stdout).print(fmt::format("{} failing cases\n", files.written.size()));
   return exit_code::success;
 }
 

@@ -81,13 +81,13 @@ Json series_json(const SeriesReport& report) {
 }
 
 Json failure_json(const Failure& failure, const CaseFiles& files) {
-  const std::string path = files.path(failure);
+  const std::string file = files.file(failure);
   return {{"property", printable(failure.series.property)},
           {"effort", printable(failure.series.effort)},
           {"seed", failure.saved.seed},
           {"case", failure.saved.index},
           {"message", printable(failure.saved.message)},
-          {"file", path.empty() ? Json(nullptr) : Json(printable(path))},
+          {"file", file.empty() ? Json(nullptr) : Json(printable(file))},
           {"replay", files.replay(failure)}};
 }
 
@@ -95,7 +95,6 @@ Json failure_json(const Failure& failure, const CaseFiles& files) {
 
 std::string CaseFiles::path(const Failure& failure) const {
   constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
-  if (folder.empty()) return "";
   for (const std::string& name : {failure.series.property, failure.series.effort}) {
     if (name.find_first_not_of(allowed) == std::string::npos) continue;
     throw FileError(database, "expected the name of a property and an effort, found " + in_quotes(name));
@@ -105,8 +104,15 @@ std::string CaseFiles::path(const Failure& failure) const {
   return (std::filesystem::path(folder) / name).string();
 }
 
+std::string CaseFiles::file(const Failure& failure) const {
+  if (written.empty()) return "";
+  const std::string name = path(failure);
+  return written.contains(name) ? name : "";
+}
+
 std::string CaseFiles::replay(const Failure& failure) const {
-  return "torse " + printable(command_line({"replay", folder.empty() ? database : path(failure)}));
+  const std::string name = file(failure);
+  return "torse " + printable(command_line({"replay", file_word(name.empty() ? database : name)}));
 }
 
 SeriesReport series_report(fuzz::Store& store, const fuzz::Series& series, const fuzz::Seeds& seeds) {
@@ -149,8 +155,8 @@ void print_failures(const Terminal& terminal, const std::vector<SeriesReport>& r
       terminal.print(fmt::format("{} {}: {}\n", terminal.painted(Paint::bad, "failed:"),
                                  fuzz::unit_name(failure.series, failure.saved.seed),
                                  printable(failure.saved.message)));
-      const std::string path = files.path(failure);
-      if (!path.empty()) terminal.print("  case: " + printable(path) + "\n");
+      const std::string file = files.file(failure);
+      if (!file.empty()) terminal.print("  case: " + printable(file) + "\n");
       terminal.print("  " + terminal.painted(Paint::dim, "replay: " + files.replay(failure)) + "\n");
     }
   }
@@ -176,7 +182,7 @@ std::vector<ReportCase> cases_of(const std::vector<SeriesReport>& reports, const
     c.message = message_of(report);
     if (!report.failures.empty()) {
       c.replay = files.replay(report.failures.front());
-      c.file = files.path(report.failures.front());
+      c.file = files.file(report.failures.front());
     }
     c.rule = report.series.property;
     if (const fuzz::Property* property = fuzz::find_property(report.series.property)) {
@@ -188,16 +194,16 @@ std::vector<ReportCase> cases_of(const std::vector<SeriesReport>& reports, const
   return cases;
 }
 
-std::size_t write_cases(const std::vector<SeriesReport>& reports, const CaseFiles& files, std::size_t most) {
-  std::size_t count = 0;
+void write_cases(const std::vector<SeriesReport>& reports, CaseFiles& files, std::size_t most) {
   for (const SeriesReport& report : reports) {
     for (const Failure& failure : report.failures) {
-      if (count == most) return count;
-      if (count++ == 0) make_folder(files.folder);
-      write_file(files.path(failure), failure.saved.text);
+      if (files.written.size() == most) return;
+      if (files.written.empty()) make_folder(files.folder);
+      const std::string path = files.path(failure);
+      write_file(path, failure.saved.text);
+      files.written.insert(path);
     }
   }
-  return count;
 }
 
 }  // namespace torse::cli

@@ -153,7 +153,7 @@ Json json_of(const Results& results, const RunOptions& options, const fuzz::Plan
 }
 
 int report(const Results& results, const RunOptions& options, const fuzz::Plan& plan) {
-  const CaseFiles files{options.database, options.database + ".cases"};
+  CaseFiles files{options.database, options.database + ".cases"};
   write_cases(results.reports, files, files_of_a_run);
   const int code = results.failed() ? exit_code::refuted : exit_code::success;
   write_json(options.reports.json, json_of(results, options, plan, files));

@@ -145,7 +145,7 @@ ReportCase case_of(const CheckedFace& checked, const Demand& demand) {
   c.seconds = checked.seconds;
   if (checked.error) {
     c.line = checked.error->line();
-    c.column = checked.error->column();
+    c.column = checked.error->character();
   }
   return c;
 }

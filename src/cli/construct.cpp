@@ -55,7 +55,7 @@ Construction run_method(const ConstructOptions& options) {
 
 int run_construct(const ConstructOptions& options) {
   require_method(options.method);
-  std::vector<std::string> words{"torse", "construct", options.method, options.input, "-o", options.output};
+  std::vector<std::string> words{"torse", "construct", options.method, file_word(options.input), "-o", options.output};
   if (options.branch != 1) words.insert(words.end(), {"--branch", std::to_string(options.branch)});
   const std::string replay = printable(command_line(words));
   const Terminal terminal(options.output == "-" ? stderr : stdout);

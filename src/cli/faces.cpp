@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "torse/cli/cad_faces.hpp"
 #include "torse/cli/effort.hpp"
+#include "torse/cli/terminal.hpp"
 #include "torse/io/document.hpp"
 #include "torse/io/file.hpp"
 #include "torse/io/text.hpp"
@@ -30,9 +33,9 @@ std::vector<Face> all_faces(const std::string& file) {
 
 std::string listed(const std::vector<Face>& faces) {
   std::string text;
-  for (const Face& face : faces) {
-    if (face.number > most_listed) return text + ", ...";
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", face.number, in_quotes(face.name));
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (i == most_listed) return text + ", ...";
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", faces[i].number, in_quotes(faces[i].name));
   }
   return text;
 }
@@ -55,29 +58,51 @@ void add_face_inputs(CLI::App& app, FaceInput& input, const std::string& what) {
 std::vector<std::string> words_of(const std::string& file, const std::string& choice) {
   std::vector<std::string> words;
   if (!choice.empty()) words = {"--face", choice};
-  if (file.starts_with('-') && file != "-") words.emplace_back("--");
-  words.push_back(file);
+  words.push_back(file_word(file));
   return words;
 }
 
-std::vector<std::string> words_of(const Face& face) {
-  return words_of(face.file, face.of > 1 ? std::to_string(face.number) : "");
+std::vector<std::string> words_of(const Face& face) { return words_of(face.file, face.choice); }
+
+void set_choices(std::vector<Face>& faces) {
+  std::map<std::string, int> names;
+  std::map<std::size_t, int> numbers;
+  for (Face& face : faces) {
+    ++names[face.name];
+    ++numbers[face.number];
+    face.of = faces.size();
+  }
+  if (faces.size() == 1) return;
+  for (Face& face : faces) {
+    const std::string number = std::to_string(face.number);
+    if (numbers[face.number] == 1 && !names.contains(number)) {
+      face.choice = number;
+    } else if (names[face.name] == 1) {
+      face.choice = face.name;
+    }
+  }
+}
+
+std::vector<Face> chosen(const std::vector<Face>& faces, const std::string& choice) {
+  const auto named = [&](const Face& face) { return face.name == printable(choice); };
+  const auto numbered = [&](const Face& face) { return std::to_string(face.number) == choice; };
+  std::vector<Face> list;
+  std::ranges::copy_if(faces, std::back_inserter(list), named);
+  if (list.empty()) std::ranges::copy_if(faces, std::back_inserter(list), numbered);
+  return list;
 }
 
 std::vector<Face> read_faces(const std::string& file, const std::string& choice) {
   std::vector<Face> faces = all_faces(file);
+  set_choices(faces);
   if (choice.empty()) return faces;
-  const auto named = [&](const Face& face) { return face.name == printable(choice); };
-  const auto numbered = [&](const Face& face) { return std::to_string(face.number) == choice; };
-  std::vector<Face> chosen;
-  std::ranges::copy_if(faces, std::back_inserter(chosen), named);
-  if (chosen.empty()) std::ranges::copy_if(faces, std::back_inserter(chosen), numbered);
-  if (chosen.empty()) {
+  std::vector<Face> list = chosen(faces, choice);
+  if (list.empty()) {
     throw FileError(file,
                     fmt::format("expected a face {}, found {}: {}", in_quotes(choice),
                                 faces.size() == 1 ? "one face" : fmt::format("{} faces", faces.size()), listed(faces)));
   }
-  return chosen;
+  return list;
 }
 
 }  // namespace torse::cli

@@ -2,7 +2,7 @@
 //   CadNote                       what else a CAD file says of a face
 //   Face                          a surface with its name, or why it is none
 //   FaceInput, add_face_inputs    the files and the option --face of a subcommand
-//   read_faces                    the faces of a file that were asked for
+//   read_faces                    the faces of a file that were asked for      set_choices, chosen    how
 //   name_of_file, title_of        what they are called       words_of    for a command that shows one again
 #pragma once
 
@@ -37,10 +37,13 @@ struct Face {
   std::string file;
   /// Printable: the file's stem, or the name that the face has in its CAD file.
   std::string name;
-  /// In the file's order, from 1.
+  /// In the file's order, from 1. The strips of a face of a CAD file have the same.
   std::size_t number = 1;
-  /// How many faces the file has.
+  /// How many the file has, every strip counted.
   std::size_t of = 1;
+  /// What --face takes to choose this one alone; empty where it is the only one, or no name or number tells it from the
+  /// others.
+  std::string choice{};
   /// None for a face that is not ruled; then `remark` says why.
   std::optional<RuledFile<Rational>> surface{};
   std::string remark{};
@@ -68,8 +71,13 @@ std::vector<std::string> words_of(const std::string& file, const std::string& ch
 /// The words that name a face.
 std::vector<std::string> words_of(const Face& face);
 
-/// The faces of `file`, or the one that `choice` names or numbers (a name comes first). Throws FileError, also where
-/// there is no such face.
+/// Sets how many the faces of a file are and what chooses each.
+void set_choices(std::vector<Face>& faces);
+
+/// Those of the faces that `choice` names, else those that it numbers.
+std::vector<Face> chosen(const std::vector<Face>& faces, const std::string& choice);
+
+/// The faces of `file`, or those that `choice` names or numbers. Throws FileError, also where there is none such.
 std::vector<Face> read_faces(const std::string& file, const std::string& choice);
 
 }  // namespace torse::cli

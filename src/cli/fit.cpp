@@ -160,7 +160,7 @@ int code_of(const FitCommand& command, const FittedStrip& strip) {
 std::vector<std::string> replay_words(const FitCommand& command) {
   std::vector<std::string> words{"torse",
                                  "fit",
-                                 command.input.file,
+                                 file_word(command.input.file),
                                  "--method",
                                  command.method,
                                  "--measure",

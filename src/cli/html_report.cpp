@@ -29,7 +29,7 @@ std::vector<std::string> words_of(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& value : option->results()) {
       if (option->get_positional()) {
-        unnamed.push_back(value);
+        unnamed.push_back(file_word(value));
         continue;
       }
       words.push_back(option->get_name());

@@ -29,6 +29,18 @@ std::string ascii(std::string_view text) {
   return result;
 }
 
+/// A text that is drawn as it is: "%%" and "^" begin control codes, "%%%" is drawn as a percent sign and "^ " as "^".
+std::string drawn(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool doubled = text[i] == '%' && ((i > 0 && text[i - 1] == '%') || text.substr(i + 1).starts_with('%'));
+    result += text[i];
+    if (doubled) result += "%%";
+    if (text[i] == '^') result += ' ';
+  }
+  return result;
+}
+
 std::string point(int code, const PlatePoint& p) { return group(code, p.x) + group(code + 10, p.y); }
 
 std::string point_in_space(const PlatePoint& p) { return point(10, p) + group(30, 0.0); }
@@ -80,7 +92,7 @@ std::string texts(const PlateSheet& sheet) {
   std::string result;
   for (const Lettering& line : letterings(sheet)) {
     result += group(0, "TEXT") + group(8, "TEXT") + point_in_space(line.at) + group(40, letter_height(sheet.plate)) +
-              group(1, ascii(line.text)) + group(50, line.angle);
+              group(1, drawn(ascii(line.text))) + group(50, line.angle);
   }
   return result;
 }

@@ -2,8 +2,10 @@
 // torse verify (every finding that failed runs again with its seed), a saved case of a property, a database of torse
 // campaign (every case that failed), a surface (checked) or a construction (made, checked).
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -76,11 +78,35 @@ int run_case(const Document& document) {
   return exit_code::undecided;
 }
 
+/// Whether a file can be read again: a pipe cannot.
+bool is_regular(const std::string& file) {
+  std::error_code ignored;
+  return file != "-" && std::filesystem::is_regular_file(file, ignored);
+}
+
 bool is_database(const std::string& file) {
+  if (!is_regular(file)) return false;
   constexpr std::string_view magic("SQLite format 3", 16);
   std::string begin(magic.size(), ' ');
   std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
   return begin == magic;
+}
+
+void put_on_standard_input(const std::string& text) {
+  std::FILE* const copy = std::tmpfile();
+  if (copy == nullptr) throw Error("there is no place for a copy of the input");
+  const bool written = std::fwrite(text.data(), 1, text.size(), copy) == text.size() && std::fflush(copy) == 0 &&
+                       dup2(fileno(copy), STDIN_FILENO) == STDIN_FILENO;
+  std::fclose(copy);
+  if (!written) throw Error("the input cannot be copied");
+  std::rewind(stdin);
+}
+
+/// The word for a file, which has been read, in a command that reads it again: of a pipe, standard input with its text.
+std::string word_of(const std::string& file, const std::string& text) {
+  if (is_regular(file)) return file_word(file);
+  put_on_standard_input(text);
+  return "-";
 }
 
 /// Runs the failing cases of a campaign; the worst exit code wins.
@@ -113,9 +139,9 @@ int run_replay(const std::string& file) {
   const Document document(file, text);
   const std::string& type = file_type(document);
   if (type == "case") return run_case(document);
-  if (type == "ruled") return run_commands({{"check", file}});
+  if (type == "ruled") return run_commands({{"check", word_of(file, text)}});
   if (type == "construct") {
-    return run_commands({{"construct", document.root().at("method").string(), file, "-o", "-"}});
+    return run_commands({{"construct", document.root().at("method").string(), word_of(file, text), "-o", "-"}});
   }
   document.root().at("type").expected("\"case\", \"ruled\", \"construct\" or a report of torse verify");
 }
@@ -125,7 +151,8 @@ int run_replay(const std::string& file) {
 std::function<int()> define_replay(CLI::App& app) {
   const auto file = std::make_shared<std::string>();
   app.add_option("FILE", *file,
-                 "a report of torse verify, a saved case, a database of torse campaign, a surface or a construction")
+                 "a report of torse verify, a saved case, a database of torse campaign, a surface or a construction; - "
+                 "is standard input, but for a database")
       ->required();
   return [file] { return run_replay(*file); };
 }

@@ -67,4 +67,6 @@ std::string command_line(const std::vector<std::string>& words) {
   return line;
 }
 
+std::string file_word(const std::string& file) { return file.starts_with('-') && file != "-" ? "./" + file : file; }
+
 }  // namespace torse::cli

@@ -2,6 +2,7 @@
 //   Paint, Terminal      coloured words
 //   print_error          a line on standard error
 //   command_line         words as a shell takes them
+//   file_word            a file among the words of a command
 #pragma once
 
 #include <cstdio>
@@ -34,5 +35,9 @@ void print_error(const std::string& message);
 
 /// The words joined by blanks, quoted for a POSIX shell where that is needed.
 std::string command_line(const std::vector<std::string>& words);
+
+/// The name of a file as a word of a command that no option stands before: "./-x" for "-x", which would be taken for
+/// an option.
+std::string file_word(const std::string& file);
 
 }  // namespace torse::cli

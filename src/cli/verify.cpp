@@ -85,12 +85,12 @@ proofs::Progress progress_line(bool shown) {
   };
 }
 
-std::vector<std::string> compare(const VerifyOptions& options, const std::vector<Entry>& entries) {
+/// `baseline`: what is in that file, which may be a pipe.
+std::vector<std::string> compare(const VerifyOptions& options, const std::string& baseline,
+                                 const std::vector<Entry>& entries) {
   if (options.baseline.empty()) return {};
   try {
-    return proofs::regressions(read_file(options.baseline), entries, options.extent());
-  } catch (const FileError&) {
-    throw;
+    return proofs::regressions(baseline, entries, options.extent());
   } catch (const Error& error) {
     throw UsageError(printable(options.baseline) + ": " + error.what());
   }
@@ -109,12 +109,12 @@ nlohmann::ordered_json html_sections(const VerifyOptions& options, const std::st
 int run_verify(VerifyOptions& options) {
   check_options(options);
   require_viewer(options.html);
-  if (!options.baseline.empty()) static_cast<void>(read_file(options.baseline));
+  const std::string baseline = options.baseline.empty() ? "" : read_file(options.baseline);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Entry> entries =
       proofs::run_all(options.selection, options.plan, options.threads, progress_line(isatty(STDERR_FILENO) != 0));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const std::vector<std::string> worse = compare(options, entries);
+  const std::vector<std::string> worse = compare(options, baseline, entries);
 
   const std::string json = proofs::json_report(entries, options.plan);
   if (!options.reports.json.empty()) write_file(options.reports.json, json);

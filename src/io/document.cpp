@@ -11,12 +11,12 @@
 namespace torse {
 namespace {
 
-std::string message(const std::string& file, const std::string& place, std::size_t line, std::size_t column,
+std::string message(const std::string& file, const std::string& place, const TextPosition& at,
                     const std::string& reason) {
   std::string text = printable(file) + ": ";
-  if (line > 0) {
-    const std::string at = "line " + std::to_string(line) + ", column " + std::to_string(column);
-    text += (place.empty() ? at : place + " (" + at + ")") + ": ";
+  if (at.line > 0) {
+    const std::string position = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
+    text += (place.empty() ? position : place + " (" + position + ")") + ": ";
   }
   return text + reason;
 }
@@ -81,14 +81,13 @@ std::string joined(const std::vector<std::string_view>& words) {
 
 }  // namespace
 
-FileError::FileError(std::string file, std::string reason) : FileError(std::move(file), "", 0, 0, std::move(reason)) {}
+FileError::FileError(std::string file, std::string reason) : FileError(std::move(file), "", {}, std::move(reason)) {}
 
-FileError::FileError(std::string file, std::string place, std::size_t line, std::size_t column, std::string reason)
-    : Error(message(file, place, line, column, reason)),
+FileError::FileError(std::string file, std::string place, const TextPosition& at, std::string reason)
+    : Error(message(file, place, at, reason)),
       file_(std::move(file)),
       place_(std::move(place)),
-      line_(line),
-      column_(column),
+      at_(at),
       reason_(std::move(reason)) {}
 
 Document::Document(std::string file, std::string text)
@@ -105,8 +104,7 @@ FileError Document::error(const Node* node, const std::string& reason) const {
   std::string path;
   find_path(root_, node, path);
   if (path.empty()) return FileError(file_, reason);
-  const TextPosition at = position_of(text_, node->offset);
-  return FileError(file_, path.substr(path.front() == '.' ? 1 : 0), at.line, at.column, reason);
+  return FileError(file_, path.substr(path.front() == '.' ? 1 : 0), position_of(text_, node->offset), reason);
 }
 
 FileError Document::error(const std::string& place, const std::string& reason) const {

@@ -1,4 +1,5 @@
 // JSON documents as a tree that keeps the text of every number, and the errors that name a place in them.
+//   TextPosition   line and column
 //   FileError      file, place, line and column, reason
 //   Node           a value of the tree
 //   Document       a parsed text
@@ -17,27 +18,35 @@
 
 namespace torse {
 
+/// A line and a column, counted from 1; 0 for a file as a whole.
+struct TextPosition {
+  std::size_t line = 0;
+  /// In bytes.
+  std::size_t column = 0;
+  /// In characters (code points), without a byte order mark at the begin of the text.
+  std::size_t character = 0;
+};
+
 /// A file that cannot be used; `what()` is "file: place (line L, column C): reason" with what there is of it.
 class FileError : public Error {
  public:
   /// An error about a file as a whole.
   FileError(std::string file, std::string reason);
-  /// An error at a line and column, both counted from 1 (columns in bytes), and a place such as "c.points[3][1]", empty
-  /// for an error of syntax.
-  FileError(std::string file, std::string place, std::size_t line, std::size_t column, std::string reason);
+  /// An error at a position and a place such as "c.points[3][1]", empty for an error of syntax.
+  FileError(std::string file, std::string place, const TextPosition& at, std::string reason);
 
   const std::string& file() const { return file_; }
   const std::string& place() const { return place_; }
   const std::string& reason() const { return reason_; }
   /// 0 for an error about the file as a whole.
-  std::size_t line() const { return line_; }
-  std::size_t column() const { return column_; }
+  std::size_t line() const { return at_.line; }
+  std::size_t column() const { return at_.column; }
+  std::size_t character() const { return at_.character; }
 
  private:
   std::string file_;
   std::string place_;
-  std::size_t line_ = 0;
-  std::size_t column_ = 0;
+  TextPosition at_;
   std::string reason_;
 };
 

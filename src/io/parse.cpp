@@ -85,8 +85,7 @@ class TreeBuilder : public Json::json_sax_t {
 
  private:
   [[noreturn]] void fail(const std::string& reason) const {
-    const TextPosition at = position_of(text_, token_);
-    throw FileError(file_, "", at.line, at.column, reason);
+    throw FileError(file_, "", position_of(text_, token_), reason);
   }
 
   /// nlohmann says "[...] syntax error while parsing X - found; last read: '...'; expected Y"; this is said as
@@ -183,8 +182,7 @@ class TreeBuilder : public Json::json_sax_t {
 /// each as several characters, in an error.
 void require_plain(const std::string& file, std::string_view text) {
   const auto fail = [&](std::size_t offset, const std::string& reason) {
-    const TextPosition at = position_of(text, offset);
-    throw FileError(file, "", at.line, at.column, reason);
+    throw FileError(file, "", position_of(text, offset), reason);
   };
   std::size_t blanks = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -202,7 +200,13 @@ void require_plain(const std::string& file, std::string_view text) {
 TextPosition position_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
   const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  return {static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1, before.size() - line_start + 1};
+  const std::string_view line = before.substr(line_start);
+  const auto begins_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  const auto characters =
+      std::ranges::count_if(line_start == 0 ? without_byte_order_mark(line) : line, begins_character);
+  return {.line = static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1,
+          .column = line.size() + 1,
+          .character = static_cast<std::size_t>(characters) + 1};
 }
 
 std::size_t exponent_bits(std::string_view text) {

@@ -1,6 +1,6 @@
 // The JSON parser behind Document.
 //   parse_json       text -> tree
-//   TextPosition, position_of      line and column of an offset
+//   position_of      line and column of an offset
 //   exponent_bits    how long the exponent makes a number
 #pragma once
 
@@ -11,12 +11,6 @@
 #include "torse/io/document.hpp"
 
 namespace torse {
-
-/// A line and a column, counted from 1; columns count bytes.
-struct TextPosition {
-  std::size_t line;
-  std::size_t column;
-};
 
 /// Where the byte at `offset` stands.
 TextPosition position_of(std::string_view text, std::size_t offset);

@@ -70,15 +70,20 @@ std::string uri(const std::string& path) {
   return out;
 }
 
-Json sarif_result(const ReportCase& c) {
+Json sarif_place(const ReportCase& c) {
   Json place{{"artifactLocation", {{"uri", uri(c.file)}}}};
   if (c.line > 0) place["region"] = {{"startLine", c.line}, {"startColumn", c.column}};
+  return {{"physicalLocation", place}};
+}
+
+Json sarif_result(const ReportCase& c) {
   const char* level = c.outcome == Outcome::skipped ? "none" : c.outcome == Outcome::undecided ? "warning" : "error";
-  return {{"ruleId", printable(c.rule)},
-          {"kind", c.outcome == Outcome::skipped ? "notApplicable" : "fail"},
-          {"level", level},
-          {"message", {{"text", printable(c.name + ": " + c.message + " (replay: " + c.replay + ")")}}},
-          {"locations", Json::array({{{"physicalLocation", place}}})}};
+  Json result{{"ruleId", printable(c.rule)},
+              {"kind", c.outcome == Outcome::skipped ? "notApplicable" : "fail"},
+              {"level", level},
+              {"message", {{"text", printable(c.name + ": " + c.message + " (replay: " + c.replay + ")")}}}};
+  if (!c.file.empty()) result["locations"] = Json::array({sarif_place(c)});
+  return result;
 }
 
 }  // namespace
@@ -109,7 +114,7 @@ std::string sarif_report(const std::vector<ReportCase>& cases, const std::string
     results.push_back(sarif_result(c));
   }
   const Json driver{{"name", "torse"}, {"version", version}, {"rules", rules}};
-  const Json run{{"tool", {{"driver", driver}}}, {"results", results}};
+  const Json run{{"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
   const Json report{
       {"version", "2.1.0"}, {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"runs", Json::array({run})}};
   return report.dump(2) + '\n';

@@ -22,7 +22,7 @@ struct ReportCase {
   std::string message;
   /// The command that shows it again.
   std::string replay;
-  /// For SARIF: the rule that does not hold, its text, and the file; line and column from 1, or 0.
+  /// For SARIF: the rule that does not hold, its text, the file or nothing; line and character in it from 1, or 0.
   std::string rule;
   std::string rule_text;
   std::string file;

@@ -37,7 +37,8 @@ std::string printable(std::string_view text) {
     const auto first = static_cast<unsigned char>(text.front());
     const bool control =
         first < 0x20 || first == 0x7F || (length == 2 && first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0);
-    if (length == 0 || control) {
+    const bool no_character = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
+    if (length == 0 || control || no_character) {
       append_byte(out, text.front());
       length = 1;
     } else {

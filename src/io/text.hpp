@@ -9,7 +9,7 @@
 
 namespace torse {
 
-/// The text with control characters (C0, DEL, C1) and bytes that are not UTF-8 as \xNN.
+/// The text with control characters (C0, DEL, C1), U+FFFE, U+FFFF and bytes that are not UTF-8 as \xNN.
 std::string printable(std::string_view text);
 
 /// The text in double quotes, printable, cut after 40 bytes or so with "...".

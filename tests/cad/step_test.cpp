@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cad/step_text.hpp"
 #include "support/program.hpp"
@@ -373,6 +374,42 @@ TEST_F(Step, AnglesAreInTheFilesUnit) {
   ASSERT_EQ(report.size(), 1U);
   ASSERT_EQ(report[0]["class"], "cone");
   EXPECT_NEAR(q(report[0]["vertex"][2].get<std::string>().c_str()).to_double(), -1, 1e-12);
+}
+
+/// The commands that a report tells to show its faces again.
+std::vector<std::string> replays(const std::string& out) {
+  std::vector<std::string> list;
+  std::istringstream lines(out);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("replay: ");
+    if (at != std::string::npos) list.push_back(line.substr(at + 8));
+  }
+  return list;
+}
+
+TEST_F(Step, AStripHasItsTitleAndItsCommand) {
+  StepText step;
+  const std::string surface =
+      step.spline("two", 1, 1, {{"0.,0.,0.", "0.,1.,0.", "0.,2.,0."}, {"1.,0.,0.", "1.,1.,0.", "1.,2.,1."}},
+                  "(2,2),(2,1,2),(0.,1.),(0.,0.5,1.)");
+  const std::string path = file(alone(step, surface));
+  const ProgramResult both = run_program({"check", path});
+  EXPECT_THAT(both.out, HasSubstr(path + ": two strip 1  developable"));
+  EXPECT_THAT(both.out, HasSubstr(path + ": two strip 2  not developable"));
+  EXPECT_EQ(replays(both.out), (std::vector<std::string>{"torse check --face 'two strip 2' " + path}));
+  EXPECT_EQ(run_program({"check", "--face", "two strip 1", path}).exit, 0);
+  EXPECT_EQ(run_program({"check", "--face", "two strip 2", path}).exit, 1);
+}
+
+/// The name of the first face is the number of the second.
+TEST_F(Step, ACommandShowsTheFaceItIsAbout) {
+  StepText step;
+  const std::string flat = step.spline("2", 1, 1, {{"0.,0.,0.", "0.,1.,0."}, {"1.,0.,0.", "1.,1.,0."}}, unit_knots);
+  const std::string twisted = step.spline("x", 1, 1, {{"0.,0.,0.", "0.,1.,0."}, {"1.,0.,0.", "1.,1.,1."}}, unit_knots);
+  const std::string path = file(step.file({flat, twisted}, false));
+  EXPECT_EQ(replays(run_program({"check", path}).out), (std::vector<std::string>{"torse check --face x " + path}));
+  EXPECT_EQ(run_program({"check", "--face", "x", path}).exit, 1);
+  EXPECT_EQ(run_program({"check", "--face", "2", path}).exit, 0) << "a name comes first";
 }
 
 TEST_F(Step, FacesAreChosenByNameAndNumber) {

@@ -148,6 +148,17 @@ TEST_F(Check, ReportsHoldEveryCaseAndAReplay) {
   EXPECT_EQ(results[1]["locations"][0]["physicalLocation"]["region"]["startLine"], 1);
 }
 
+/// The value is the twelfth byte and the tenth character of its line.
+TEST_F(Check, SarifCountsColumnsInCharacters) {
+  const ProgramResult run =
+      run_program({"check", file("odd.json", "{\"torse\": 1, \"type\": \"ruled\",\n\"größe\": 0}"), "--sarif", "-"});
+  EXPECT_THAT(run.err, HasSubstr("(line 2, column 12)"));
+  const json report = json::parse(run.out)["runs"][0];
+  EXPECT_EQ(report["columnKind"], "unicodeCodePoints");
+  EXPECT_EQ(report["results"][0]["locations"][0]["physicalLocation"]["region"],
+            json({{"startLine", 2}, {"startColumn", 10}}));
+}
+
 TEST_F(Check, ALimitIsARuleOfItsOwn) {
   const std::string sarif = (scratch / "r.sarif").string(), junit = (scratch / "r.xml").string();
   EXPECT_EQ(run_program({"check", file("twisted", twisted), file("flat", flat), "--max-warp", "5deg", "--sarif", sarif,

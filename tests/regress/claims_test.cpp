@@ -167,6 +167,16 @@ TEST_F(Verify, ABaselineTellsWhatGotWorse) {
   EXPECT_EQ(verify({"--claim", "FJ07.16", "--baseline", file("before.json"), "--threads", "1"}).exit, 0);
 }
 
+TEST_F(Verify, ABaselineMayComeThroughAPipe) {
+  const std::string before = R"({"claims": [{"id": "FJ07.16", "status": "Proved"}]})";
+  for (const char* pipe : {"-", "/dev/stdin"}) {
+    const ProgramResult worse = run_program(
+        {"verify", "--claim", "FJ07.16", "--engine", "ball", "--effort", "quick", "--baseline", pipe}, before);
+    EXPECT_EQ(worse.exit, 1) << worse.err;
+    EXPECT_THAT(worse.out, HasSubstr("worse: FJ07.16 was Proved and is Bounded"));
+  }
+}
+
 TEST(Example, EveryPrintedValueOfTheWorkedExample) {
   const ProgramResult run = run_program({"example"});
   EXPECT_EQ(run.exit, 0);

@@ -89,6 +89,23 @@ TEST_F(Replay, OfASurfaceChecksIt) {
   EXPECT_THAT(twisted.out, HasSubstr("not developable"));
 }
 
+/// A pipe can be read only once.
+TEST_F(Replay, OfWhatComesThroughAPipe) {
+  for (const char* pipe : {"-", "/dev/stdin"}) {
+    const ProgramResult twisted = run_program({"replay", pipe}, R"({"torse": 1, "type": "ruled", "degree": 1,
+      "c": {"points": [[0,0,0],[1,0,0]]}, "d": {"points": [[0,1,0],[1,1,1]]}})");
+    EXPECT_EQ(twisted.exit, 1) << twisted.err;
+    EXPECT_TRUE(twisted.out.starts_with("torse check -\n-  not developable")) << twisted.out;
+    const ProgramResult made = run_program({"replay", pipe}, R"({"torse": 1, "type": "construct", "method": "cone",
+      "degree": 1, "c": {"points": [[0,0,0],[1,0,0]]}, "d0": [0,0,2], "Lambda": "1/2"})");
+    EXPECT_EQ(made.exit, 0) << made.err;
+    EXPECT_EQ(commands(made.out), "torse construct cone - -o -\n");
+    const ProgramResult again = run_program({"replay", pipe}, report({{{"engine", "ball"}, {"status", "Refuted"}}}));
+    EXPECT_EQ(again.exit, 0) << again.err;
+    EXPECT_EQ(commands(again.out), verify("ball"));
+  }
+}
+
 TEST_F(Replay, OfAConstructionMakesItAgain) {
   const ProgramResult made = replay(R"({"torse": 1, "type": "construct", "method": "cone", "degree": 1,
     "c": {"points": [[0,0,0],[1,0,0]]}, "d0": [0,0,2], "Lambda": "1/2"})");

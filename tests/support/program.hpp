@@ -51,16 +51,20 @@ struct ProgramResult {
   std::string err;
 };
 
-inline ProgramResult run_program(const std::vector<std::string>& words) {
+/// `input` comes through a pipe on standard input; without it there is none.
+inline ProgramResult run_program(const std::vector<std::string>& words, const std::string& input = "") {
   const auto quote = [](const std::string& word) {
     std::string text = "'";
     for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return text + "'";
   };
   const Scratch scratch;
-  std::string line = quote(TORSE_PROGRAM_PATH);
+  spill(scratch / "in", input);
+  std::string line =
+      (input.empty() ? "" : "cat " + quote((scratch / "in").string()) + " | ") + quote(TORSE_PROGRAM_PATH);
   for (const std::string& word : words) line += ' ' + quote(word);
-  line += " >" + quote((scratch / "out").string()) + " 2>" + quote((scratch / "err").string()) + " </dev/null";
+  line += " >" + quote((scratch / "out").string()) + " 2>" + quote((scratch / "err").string()) +
+          (input.empty() ? " </dev/null" : "");
   const int status = std::system(line.c_str());
   const int exit = (status & 0x7F) == 0 ? (status >> 8) & 0xFF : 128 + (status & 0x7F);
   return {exit, slurp(scratch / "out"), slurp(scratch / "err")};

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "support/program.hpp"
 #include "torse/cli/campaign.hpp"
 #include "torse/io/document.hpp"
 
@@ -22,7 +23,7 @@ SeriesReport series(std::uint64_t failed) {
 }
 
 TEST(CampaignReport, AFailureHasItsFileAndItsCommand) {
-  const CaseFiles files{"runs.db", "runs.db.cases"};
+  const CaseFiles files{"runs.db", "runs.db.cases", {"runs.db.cases/text.number-quick-7-3.json"}};
   const std::vector<ReportCase> cases = cases_of({series(0), series(4)}, files);
   ASSERT_EQ(cases.size(), 2U);
   EXPECT_EQ(cases[0].outcome, Outcome::passed);
@@ -99,7 +100,7 @@ TEST(CampaignReport, SharesOfTwelveValuesAreShown) {
 TEST(CampaignReport, FailuresWithTheirCommands) {
   SeriesReport failing = series(2);
   failing.vacuous = "no case has weights";
-  const CaseFiles files{"runs.db", "cases"};
+  const CaseFiles files{"runs.db", "cases", {"cases/text.number-quick-7-3.json"}};
   const std::string one =
       "failed: text.number, seed 7, quick effort: differs\n  case: cases/text.number-quick-7-3.json\n"
       "  replay: torse replay cases/text.number-quick-7-3.json\n";
@@ -117,10 +118,38 @@ TEST(CampaignReport, FailuresWithTheirCommands) {
   EXPECT_EQ(text(22, files), twenty + "and 2 failing cases more\n");
 }
 
+/// Of three failing cases two are written: the third is in the database only.
+TEST(CampaignReport, NamesTheFilesThatThereAre) {
+  const testing::Scratch scratch;
+  SeriesReport failing = series(3);
+  for (const std::uint64_t seed : {8U, 9U}) {
+    failing.failures.push_back(failing.failures.front());
+    failing.failures.back().saved.seed = seed;
+  }
+  CaseFiles files{"-runs.db", (scratch / "cases").string()};
+  write_cases({failing}, files, 2);
+  nlohmann::ordered_json json;
+  add_reports(json, {failing}, files);
+  ASSERT_EQ(json["failures"].size(), 3U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string file = json["failures"][i]["file"];
+    EXPECT_EQ(testing::slurp(file), "{}");
+    EXPECT_EQ(json["failures"][i]["replay"], "torse replay " + file);
+  }
+  EXPECT_EQ(json["failures"][2]["file"], nullptr);
+  EXPECT_EQ(json["failures"][2]["replay"], "torse replay ./-runs.db");
+
+  SeriesReport last = series(1);
+  last.failures.front().saved.seed = 9;
+  const ReportCase c = cases_of({last}, files).front();
+  EXPECT_EQ(c.file, "");
+  EXPECT_EQ(c.replay, "torse replay ./-runs.db");
+}
+
 TEST(CampaignReport, NamesThatAreNoFilesAreRefused) {
   SeriesReport strange = series(1);
   strange.failures[0].series.property = "../text";
-  EXPECT_EQ(CaseFiles({"runs.db", ""}).path(strange.failures[0]), "");
+  EXPECT_EQ(CaseFiles({"runs.db", ""}).file(strange.failures[0]), "");
   try {
     CaseFiles({"runs.db", "cases"}).path(strange.failures[0]);
     FAIL() << "a folder above";
@@ -135,7 +164,7 @@ TEST(CampaignReport, EveryMemberOfTheJson) {
   report.tally.labels.add("degree", "2", 600);
   report.tally.discards.add("reason", "a knot", 1);
   nlohmann::ordered_json json;
-  add_reports(json, {report}, {"runs.db", "cases"});
+  add_reports(json, {report}, {"runs.db", "cases", {"cases/text.number-quick-7-3.json"}});
   EXPECT_EQ(json, nlohmann::ordered_json::parse(R"({"properties": [{"property": "text.number", "effort": "quick",
     "seeds": 2, "cases": 1000, "failed": 4, "discarded": 1, "vacuous": null, "seconds": 0.5, "cases_per_second": 2000.0,
     "labels": {"degree": {"2": 600}}, "discards": {"reason": {"a knot": 1}}}],

@@ -92,6 +92,13 @@ TEST(Letterings, CanBeReadAndFitTheRulings) {
   EXPECT_EQ(letter_height(plate), 2);
 }
 
+/// "%%d" would be drawn as a degree sign, "^I" read as a tab.
+TEST(PlateDxf, NamesHoldNoControlCodes) {
+  PlateSheet odd = sheet();
+  odd.face.name = "a%%d 50% %%% ^I";
+  EXPECT_NE(plate_dxf(odd).find("\n  1\na%%%%%%d 50% %%%%%%%%% ^ I: 800 x 64 mm,"), std::string::npos);
+}
+
 /// The parts of the outline in the order of its edges: C, the last ruling, D backwards, the first ruling.
 TEST(PlateJson, EveryMember) {
   PlateSheet bad = sheet();

@@ -20,6 +20,13 @@ TEST(Terminal, CommandLinesSurviveAShell) {
   EXPECT_EQ(command_line({"a b", "", "it's", "$x;*"}), "'a b' '' 'it'\\''s' '$x;*'");
 }
 
+TEST(Terminal, FilesThatBeginWithADashAreNoOptions) {
+  EXPECT_EQ(file_word("-net.json"), "./-net.json");
+  EXPECT_EQ(file_word("--"), "./--");
+  EXPECT_EQ(file_word("-"), "-") << "standard input";
+  EXPECT_EQ(file_word("a/-net.json"), "a/-net.json");
+}
+
 TEST(Terminal, NoColoursInAFile) {
   std::FILE* file = std::tmpfile();
   EXPECT_EQ(Terminal(file).painted(Paint::bad, "word"), "word");

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <tuple>
+
 #include "torse/exact/rational/rational.hpp"
 #include "torse/io/parse.hpp"
 
@@ -44,6 +47,20 @@ TEST(Document, PlacesAreCountedInLinesAndColumns) {
   EXPECT_STREQ(document.error("a[7]", "wrong").what(), "f: a (line 1, column 7): a[7]: wrong");
   EXPECT_STREQ(document.error("zz", "wrong").what(), "f: zz: wrong");
   EXPECT_STREQ(document.error(InvalidInput("a[0]", "wrong")).what(), "f: a[0] (line 2, column 3): wrong");
+}
+
+/// Characters of two and of four bytes, and a byte order mark of three, which is none of the text.
+TEST(Document, PlacesAreCountedInCharactersToo) {
+  const std::string line = "{\"\xC3\xA9\xF0\x9F\x98\x80\": null}";
+  for (const auto& [before, row, column] :
+       {std::tuple{"", 1U, 12U}, {"\xEF\xBB\xBF", 1U, 15U}, {"\n", 2U, 12U}, {"\xEF\xBB\xBF\n", 2U, 12U}}) {
+    const Document document("f", before + line);
+    const FileError error = document.error("\xC3\xA9\xF0\x9F\x98\x80", "wrong");
+    EXPECT_EQ(error.line(), row);
+    EXPECT_EQ(error.column(), column);
+    EXPECT_EQ(error.character(), 8U);
+  }
+  EXPECT_EQ(FileError("f", "wrong").character(), 0U);
 }
 
 TEST(Document, SyntaxErrorsNameLineAndColumn) {

@@ -74,7 +74,8 @@ TEST(Report, SarifIsWhatItsSchemaAllows) {
   EXPECT_EQ(report["version"], "2.1.0");
   ASSERT_EQ(report["runs"].size(), 1U);
   const json& run = report["runs"][0];
-  expect_object(run, {"tool", "results"}, {});
+  expect_object(run, {"tool", "columnKind", "results"}, {});
+  EXPECT_EQ(run["columnKind"], "unicodeCodePoints");
   expect_object(run["tool"], {"driver"}, {});
   expect_object(run["tool"]["driver"], {"name", "version", "rules"}, {});
   for (const json& rule : run["tool"]["driver"]["rules"]) {
@@ -96,6 +97,14 @@ TEST(Report, SarifNamesTheFileByAUri) {
     const json run = json::parse(sarif_report({odd}, "1.2.3"))["runs"][0];
     EXPECT_EQ(run["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], uri);
   }
+}
+
+TEST(Report, SarifHasNoPlaceWhereThereIsNoFile) {
+  ReportCase claim = case_of(Outcome::failed, "FJ07.3");
+  claim.file = "";
+  const json run = json::parse(sarif_report({claim}, "1.2.3"))["runs"][0];
+  ASSERT_EQ(run["results"].size(), 1U);
+  EXPECT_FALSE(run["results"][0].contains("locations")) << run;
 }
 
 TEST(Report, SarifShowsTheRulesThatAreNoUtf8) {

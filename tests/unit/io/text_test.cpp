@@ -11,7 +11,7 @@ namespace {
 
 TEST(Printable, KeepsCharactersOfEveryLength) {
   for (const std::string text : {"az ~", "\xC2\xA0", "\xC2\xB0", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF",
-                                 "\xEF\xBF\xBF", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"}) {
+                                 "\xEF\xBF\xBD", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"}) {
     EXPECT_EQ(printable(text), text);
   }
 }
@@ -21,6 +21,14 @@ TEST(Printable, ShowsControlCharactersByTheirBytes) {
   EXPECT_EQ(printable("\xC2\x80\xC2\x9B"
                       "2J"),
             "\\xc2\\x80\\xc2\\x9b2J");
+}
+
+/// XML has none of them.
+TEST(Printable, ShowsTheTwoThatAreNoCharacters) {
+  EXPECT_EQ(printable("a\xEF\xBF\xBE"
+                      "b"),
+            "a\\xef\\xbf\\xbeb");
+  EXPECT_EQ(printable("\xEF\xBF\xBF"), "\\xef\\xbf\\xbf");
 }
 
 TEST(Printable, ShowsBytesThatAreNoText) {
