@@ -50,6 +50,7 @@ test("every word must occur somewhere, in any case", () => {
   assert.equal(matches(claim({}), { ...noWish, text: "  RULING  knot " }), true);
   assert.equal(matches(claim({}), { ...noWish, text: "d_n-c_n" }), true);
   assert.equal(matches(claim({}), { ...noWish, text: "ruling cone" }), false);
+  assert.equal(matches(claim({ remark: "holds for a cone too" }), { ...noWish, text: "ruling cone" }), true);
 });
 
 test("unstated hypotheses", () => {

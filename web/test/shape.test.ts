@@ -60,6 +60,11 @@ test("the edge stops where it is far away", () => {
   assert.deepEqual(edgeRuns(state()), []);
 });
 
+test("the edge goes as far beyond one rail as beyond the other", () => {
+  assert.deepEqual(edgeRuns(state({ edge: [3.4, 3.6, 3.4] })), [[[0, 3.4, 0]], [[1, 3.4, 0]]]);
+  assert.deepEqual(edgeRuns(state({ edge: [-2.4, -2.6, -2.4] })), [[[0, -2.4, 0]], [[1, -2.4, 0]]]);
+});
+
 test("singular rulings are those in the range, or the nearest", () => {
   const at = (from: number, to: number) => singularLines(picture({ singular: [{ reason: "edge", from, to }] }));
   assert.deepEqual(at(0.4, 1), [...(state().rulings[1] ?? []), ...(state().rulings[2] ?? [])]);

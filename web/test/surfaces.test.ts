@@ -16,6 +16,7 @@ before(async () => {
   const files = readdirSync(samples).filter((name) => /^check-\d+.*\.json$/.test(name));
   torse(["check", ...files.map((name) => join("tests/golden/samples", name)), "--json", place("check.json"), "--html", place("check.html")], 1);
   torse(["fit", "examples/cubics.json", "-o", place("cubics.out.json"), "--json", place("fit.json"), "--html", place("fit.html")]);
+  torse(["fit", "examples/cubics.json", "--method", "paper", "--ends", "free", "-o", place("open.out.json"), "--json", place("open.json"), "--html", place("open.html")]);
   browser = await launch();
 });
 
@@ -168,6 +169,18 @@ test("fit: numbers of --json, before and after", async () => {
   assert.notEqual((await pixels(canvas)).sum, fitted.sum);
   assert.deepEqual(complaints, []);
   await page.context().close();
+});
+
+test("fit: what is not decided is not certified", async () => {
+  assert.equal(readJson<FitSection["data"]>(place("open.json")).surfaces[0]?.self_intersection.crosses, null);
+  assert.equal(readJson<FitSection["data"]>(place("fit.json")).surfaces[0]?.self_intersection.crosses, false);
+  for (const [name, decided] of [["open.html", false], ["fit.html", true]] as const) {
+    const { page } = await openPage(browser, place(name));
+    const text = await page.locator(".fit").innerText();
+    assert.equal(text.includes("Certified: no two rulings cross."), decided, name);
+    assert.equal(text.includes("Whether rulings cross is not decided."), !decided, name);
+    await page.context().close();
+  }
 });
 
 test("fit: a plot has its numbers as a table", async () => {
