@@ -120,6 +120,7 @@ class IgesFile {
       throw Unreadable("expected an IGES file, found what OpenCASCADE cannot read");
     }
     model_ = reader_.IGESModel();
+    if (model_->NbEntities() == 0) throw Unreadable("expected an entity, found none");
     // OpenCASCADE scales to its own unit: let that be the file's, so that the factor is 1.
     millimetres_ = model_->GlobalSection().UnitValue();
     if (!(millimetres_ > 0)) millimetres_ = 1;
