@@ -124,11 +124,7 @@ void print_faces(const std::vector<CheckedFace>& faces, const std::vector<Report
 }
 
 int run_check(const CheckOptions& options) {
-  require_one_output(options.reports);
   require_viewer(options.html);
-  if (options.repair == "-" && options.reports.use_stdout()) {
-    throw UsageError("only one of --repair and the reports can write to standard output");
-  }
   const Demand demand = demand_of(options);
   std::vector<CheckedFace> faces;
   for (const std::string& file : options.input.files) {

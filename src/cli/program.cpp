@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/named_files.hpp"
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/cli/version.hpp"
@@ -102,6 +103,7 @@ int run(std::vector<std::string> words) {
     return report_usage(app, error);
   }
   require_values(app);
+  require_distinct_files(app);
   for (const auto& [sub, action] : actions) {
     if (sub->parsed()) return action();
   }
