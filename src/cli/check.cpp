@@ -10,6 +10,7 @@
 
 #include "torse/cli/checked.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/conversion.hpp"
 #include "torse/cli/html_report.hpp"
 #include "torse/cli/json_report.hpp"
 #include "torse/cli/page_sections.hpp"
@@ -125,6 +126,7 @@ void print_faces(const std::vector<CheckedFace>& faces, const std::vector<Report
 
 int run_check(const CheckOptions& options) {
   require_viewer(options.html);
+  require_json_name("--repair", options.repair);
   const Demand demand = demand_of(options);
   std::vector<CheckedFace> faces;
   for (const std::string& file : options.input.files) {

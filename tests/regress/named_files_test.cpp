@@ -108,6 +108,19 @@ TEST_F(NamedFiles, OnlyOneIsStandardOutput) {
   expect_refused({"campaign", "run", "--db", "@x", "--junit", "-", "--json", "-"}, "standard output");
 }
 
+/// Surfaces in torse's JSON do not get a name under which another program, or torse itself, would read something else.
+TEST_F(NamedFiles, AreNotThoseOfAnotherFormat) {
+  for (const char* name :
+       {"@x.step", "@x.STP", "@x.igs", "@x.obj", "@x.stl", "@x.glb", "@x.svg", "@x.dxf", "@x.html"}) {
+    expect_refused({"check", "@in.json", "--repair", name}, "--repair: expected a name for torse's JSON, found \"");
+    expect_refused({"construct", "bezier", "@curve.json", "-o", name}, "--output: expected a name for torse's JSON");
+  }
+  for (const char* name : {"@x.json", "@x", "@x.txt", "@x.step.json"}) {
+    EXPECT_EQ(run({"check", "@in.json", "--repair", name}).exit, 0);
+    EXPECT_EQ(run({"construct", "bezier", "@curve.json", "-o", name}).exit, 0);
+  }
+}
+
 /// Devices keep nothing; what is called like a file elsewhere is another one; a word that is no file is none.
 TEST_F(NamedFiles, MayBeDevicesAndFilesOfTheSameNameElsewhere) {
   EXPECT_EQ(run({"check", "@in.json", "--json", "/dev/null", "--junit", "/dev/null"}).exit, 0);
