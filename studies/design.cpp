@@ -5,6 +5,7 @@
 
 #include "torse/exact/rational/rational.hpp"
 #include "torse/io/document.hpp"
+#include "torse/io/text.hpp"
 #include "torse/studies/built_in.hpp"
 #include "torse/studies/routes.hpp"
 #include "torse/studies/verdicts.hpp"
@@ -22,10 +23,12 @@ std::vector<std::string> names_in(const Value& list, const std::vector<std::stri
   for (const Value& item : list.items()) {
     const std::string& name = item.string();
     if (std::ranges::find(known, name) == known.end()) item.expected("a known name (torse study list names them)");
-    if (std::ranges::find(names, name) != names.end()) item.fail("expected each name once");
+    if (std::ranges::find(names, name) != names.end()) {
+      item.fail("expected each name once, found " + in_quotes(name) + " again");
+    }
     names.push_back(name);
   }
-  if (names.empty()) list.fail("expected at least one name");
+  if (names.empty()) list.expected("at least one name");
   return names;
 }
 
@@ -52,10 +55,13 @@ std::vector<Variation> read_variations(const Value& factors) {
     if (factor == Factor::before || factor == Factor::after || factor == Factor::inside) ++sides;
     Variation variation{factor, {}};
     for (const Value& item : list->items()) variation.levels.push_back(level_of(item, factor));
-    if (variation.levels.empty()) list->fail("expected at least one level");
+    if (variation.levels.empty()) list->expected("at least one level");
     variations.push_back(std::move(variation));
   }
-  if (sides > 1) factors.fail("expected one of before, after and inside: they are places of the same M*");
+  if (sides > 1) {
+    factors.fail("expected one of before, after and inside, which are places of the same M*, found " +
+                 std::to_string(sides));
+  }
   return variations;
 }
 
@@ -106,7 +112,10 @@ Design read_design(const std::string& file, const std::string& text) {
       design.verdicts ? names_in(root.at("tests"), verdict_names()) : names_in(root.at("routes"), route_names());
   if (!design.verdicts) design.scalars = names_in(root.at("scalars"), scalar_names());
   design.variations = read_variations(root.at("factors"));
-  if (design.combinations() > most_combinations) root.at("factors").fail("expected 100000 combinations at most");
+  if (design.combinations() > most_combinations) {
+    root.at("factors").fail("expected at most " + std::to_string(most_combinations) + " combinations, found " +
+                            std::to_string(design.combinations()));
+  }
   const Value repetitions = root.at("repetitions");
   repetitions.expect_keys({"quick", "standard", "deep"});
   design.repetitions = {repetitions.at("quick").integer(1, most_repetitions),

@@ -84,7 +84,7 @@ NetDistance distance_between(const repair::RuledRows& before, const repair::Rule
         any_ulps = true;
         ulps = std::max<Rational>(ulps, size / unit_in_last_place(old.points[i][j]));
       }
-      weights = std::max<Rational>(weights, magnitude_of((now.weights[i] - old.weights[i]) / now.weights[i]));
+      weights = std::max<Rational>(weights, magnitude_of((now.weights[i] - old.weights[i]) / old.weights[i]));
       positive = positive && old.weights[i].sign() > 0 && now.weights[i].sign() > 0;
     }
   }

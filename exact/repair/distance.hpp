@@ -14,7 +14,7 @@ struct NetDistance {
   double largest = 0;           ///< max |x' - x|
   double root_mean_square = 0;  ///< of |x' - x| over both rows
   double relative = 0;          ///< `largest` by the diagonal of the bounding box of the points x
-  double weights = 0;           ///< max |w' - w| / |w'|
+  double weights = 0;           ///< max |w' - w| / |w|
   /// The largest change of a coordinate in units in the last place (binary64, at least 2^-1074) of its own value;
   /// coordinates 0 are left out. None if all are 0.
   std::optional<double> ulps{};

@@ -121,6 +121,7 @@ class IgesFile {
       throw Unreadable("expected an IGES file, found what OpenCASCADE cannot read");
     }
     model_ = reader_.IGESModel();
+    if (model_->NbEntities() == 0) throw Unreadable("expected an entity, found none");
     restore_weights(path, model_);
     // OpenCASCADE scales to its own unit: let that be the file's, so that the factor is 1.
     millimetres_ = model_->GlobalSection().UnitValue();

@@ -95,6 +95,7 @@ class StepFile {
       throw Unreadable("expected a STEP file, found what OpenCASCADE cannot read");
     }
     model_ = reader_.StepModel();
+    if (model_->NbEntities() == 0) throw Unreadable("expected an entity, found none");
   }
 
   CadModel read() {

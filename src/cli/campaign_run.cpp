@@ -75,7 +75,6 @@ fuzz::Seeds seeds_of(const RunOptions& options) {
 fuzz::Plan plan_of(const RunOptions& options) {
   require_known("--property", options.properties, property_names());
   require_known("--effort", {options.effort}, {"quick", "standard", "deep"});
-  require_one_output(options.reports);
   fuzz::Plan plan;
   for (const fuzz::Property* property : fuzz::properties()) {
     const bool wanted = options.properties.empty() ||

@@ -10,6 +10,7 @@
 
 #include "torse/cli/checked.hpp"
 #include "torse/cli/command.hpp"
+#include "torse/cli/conversion.hpp"
 #include "torse/cli/html_report.hpp"
 #include "torse/cli/json_report.hpp"
 #include "torse/cli/page_sections.hpp"
@@ -124,11 +125,8 @@ void print_faces(const std::vector<CheckedFace>& faces, const std::vector<Report
 }
 
 int run_check(const CheckOptions& options) {
-  require_one_output(options.reports);
   require_viewer(options.html);
-  if (options.repair == "-" && options.reports.use_stdout()) {
-    throw UsageError("only one of --repair and the reports can write to standard output");
-  }
+  require_json_name("--repair", options.repair);
   const Demand demand = demand_of(options);
   std::vector<CheckedFace> faces;
   for (const std::string& file : options.input.files) {

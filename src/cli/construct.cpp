@@ -7,6 +7,7 @@
 
 #include "torse/cli/command.hpp"
 #include "torse/cli/construct_methods.hpp"
+#include "torse/cli/conversion.hpp"
 #include "torse/cli/effort.hpp"
 #include "torse/cli/judge.hpp"
 #include "torse/cli/suggest.hpp"
@@ -55,6 +56,7 @@ Construction run_method(const ConstructOptions& options) {
 
 int run_construct(const ConstructOptions& options) {
   require_method(options.method);
+  require_json_name("--output", options.output);
   std::vector<std::string> words{"torse", "construct", options.method, file_word(options.input), "-o", options.output};
   if (options.branch != 1) words.insert(words.end(), {"--branch", std::to_string(options.branch)});
   const std::string replay = printable(command_line(words));

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "torse/cli/command.hpp"
@@ -50,17 +52,32 @@ std::string mesh_bytes(const std::vector<NamedMesh>& meshes, OutputFormat format
   }
 }
 
+/// In small letters.
+std::string extension_of(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
 }  // namespace
 
 OutputFormat format_of(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = extension_of(file);
   std::string known;
   for (const Extension& e : extensions) {
     if (extension == e.text) return e.format;
     known += (known.empty() ? "" : ", ") + std::string(e.text);
   }
   throw UsageError(fmt::format("--output: expected an extension among {}, found {}", known, in_quotes(file)));
+}
+
+void require_json_name(const std::string& option, const std::string& file) {
+  constexpr std::array<std::string_view, 3> others{".svg", ".dxf", ".html"};
+  const std::string extension = extension_of(file);
+  const auto other = [&](const Extension& e) { return extension == e.text && e.format != OutputFormat::json; };
+  if (!std::ranges::any_of(extensions, other) && std::ranges::count(others, extension) == 0) return;
+  throw UsageError(fmt::format("{}: expected a name for torse's JSON, found {}; torse convert writes other formats",
+                               option, in_quotes(file)));
 }
 
 bool is_mesh(OutputFormat format) { return format != OutputFormat::json && !is_cad(format); }

@@ -1,5 +1,5 @@
 // What torse convert makes of the faces of a file.
-//   OutputFormat, format_of       by the extension
+//   OutputFormat, format_of       by the extension          require_json_name     where there is one only
 //   Conversion                    the bytes, and what there is to say about them
 //   scaled_surface                in another unit
 //   convert_to_mesh               OBJ, STL, glTF          convert_to_cad      STEP, IGES
@@ -22,6 +22,10 @@ enum class OutputFormat { json, step, iges, obj, stl, gltf, glb };
 
 /// The format that a file's extension names, in any case. Throws UsageError listing all of them.
 OutputFormat format_of(const std::string& file);
+
+/// Throws UsageError where the name of a file for torse's JSON, or "-", ends like that of another format that torse
+/// writes. `option` is where it was given.
+void require_json_name(const std::string& option, const std::string& file);
 
 /// Whether it holds triangles.
 bool is_mesh(OutputFormat format);

@@ -235,9 +235,6 @@ int run_fit(const FitCommand& command) {
   }
   require_plate_files(command.plates);
   require_viewer(command.html);
-  if (command.json == "-" && std::ranges::count(command.outputs, "-") > 0) {
-    throw UsageError("-o - and --json -: only one of them can be written to standard output");
-  }
   try {
     return fit(command, wishes);
   } catch (const FileError& error) {

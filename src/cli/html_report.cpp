@@ -129,15 +129,19 @@ std::string html_page(std::string_view viewer, Json report, std::size_t most_byt
   return page += viewer.substr(place + viewer_mark.size());
 }
 
+std::string page_file(const std::string& path) {
+  const std::filesystem::path name(path);
+  return name.extension() == ".html" ? path : (name / "index.html").string();
+}
+
 void write_html(const HtmlOption& option, const std::string& title, const Json& sections) {
   if (!option.wanted()) return;
   require_viewer(option);
-  std::filesystem::path path(option.path);
-  if (path.extension() != ".html") {
+  const std::string file = page_file(option.path);
+  if (file != option.path) {
     std::error_code error;
-    std::filesystem::create_directories(path, error);
+    std::filesystem::create_directories(option.path, error);
     if (error) throw FileError(option.path, "cannot make this folder: " + error.message());
-    path /= "index.html";
   }
   const Json report{{"torse", 1},
                     {"type", "report"},
@@ -146,7 +150,7 @@ void write_html(const HtmlOption& option, const std::string& title, const Json& 
                     {"command", printable(command_line(words_of(*option.app)))},
                     {"sections", sections},
                     {"notes", Json::array()}};
-  write_file(path.string(), html_page(viewer(), report));
+  write_file(file, html_page(viewer(), report));
 }
 
 }  // namespace torse::cli

@@ -1,7 +1,8 @@
 // The option --html: a report as one page that needs no network.
 //   HtmlOption           what the command line asks for
 //   add_html_option      defines it          require_viewer     before the work begins
-//   write_html           the page            html_page          as text
+//   write_html           the page            page_file          its name
+//   html_page            as text
 #pragma once
 
 #include <CLI/App.hpp>
@@ -29,8 +30,11 @@ void add_html_option(CLI::App& app, HtmlOption& option);
 /// Throws UsageError where a page is wanted and there is no viewer to put it into: the program was built without.
 void require_viewer(const HtmlOption& option, std::string_view page = viewer());
 
-/// Writes the page if it is wanted: into the file where the path ends in .html, otherwise as index.html into that
-/// folder, which is made. `sections` is an array of objects with "kind", docs/report.md. Throws FileError.
+/// Where the page of a path goes: that file where it ends in .html, otherwise index.html in that folder.
+std::string page_file(const std::string& path);
+
+/// Writes the page to its file if it is wanted; a folder is made. `sections` is an array of objects with "kind",
+/// docs/report.md. Throws FileError.
 void write_html(const HtmlOption& option, const std::string& title, const nlohmann::ordered_json& sections);
 
 /// As large as a page may be, in bytes.

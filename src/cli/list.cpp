@@ -76,7 +76,7 @@ std::function<int()> define_list(CLI::App& app) {
   app.add_flag("--engines", options->engines, "the engines instead of the claims");
   app.add_flag("--properties", options->properties, "the properties of torse campaign instead of the claims");
   app.add_option("--paper", options->papers, "only this paper's claims (repeatable)");
-  app.add_option("--json", options->json, "write the list as JSON, - for standard output");
+  app.add_option("--json", options->json, "write the list as JSON, - for standard output")->type_name("FILE");
   return [options] { return run_list(*options); };
 }
 

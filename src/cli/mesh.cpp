@@ -152,6 +152,10 @@ double default_tolerance(const RuledArcs& arcs) {
 TriangleMesh mesh_surface(const RuledArcs& arcs, double tolerance, MeshPrecision precision) {
   TriangleMesh mesh = mesh_of_strips(arcs, cut_strips(arcs, tolerance, precision));
   if (mesh.triangles.empty()) throw InvalidInput("points", "sweep no surface: both rails are one curve");
+  if (mesh.deviation > tolerance) {
+    throw InvalidInput("points", "sweep no surface in piece " + std::to_string(mesh.worst_piece + 1) +
+                                     " farther than the tolerance from the rest: both rails are one curve there");
+  }
   return mesh;
 }
 

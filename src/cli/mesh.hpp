@@ -18,7 +18,7 @@ RuledArcs arcs_of(const RuledFile<Rational>& surface);
 double default_tolerance(const RuledArcs& arcs);
 
 /// The mesh with the corners rounded to `precision`. Throws InvalidInput as `cut_strips` does, and naming "points"
-/// where the rails are one curve.
+/// where the rails are one curve, also if they are that only for a part that is not within the tolerance of the rest.
 TriangleMesh mesh_surface(const RuledArcs& arcs, double tolerance, MeshPrecision precision);
 
 }  // namespace torse::cli

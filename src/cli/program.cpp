@@ -1,14 +1,22 @@
 // The program torse: parses the command line and runs one subcommand.
 #include <CLI/CLI.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <exception>
+#include <limits>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/named_files.hpp"
 #include "torse/cli/suggest.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/cli/version.hpp"
@@ -36,6 +44,32 @@ constexpr Command commands[] = {
      define_study},
     {"unroll", "a developable surface as a flat plate: SVG, DXF, JSON with certified lengths", define_unroll},
 };
+
+/// Takes what is written as the program itself writes a number of this type.
+template <class T>
+CLI::Validator whole_number() {
+  const auto complaint = [](const std::string& text) {
+    T value{};
+    const char* const end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc() && stopped == end && std::to_string(value) == text) return std::string();
+    return fmt::format("expected a whole number from {} to {}, found {}", std::numeric_limits<T>::min(),
+                       std::numeric_limits<T>::max(), printable(text));
+  };
+  return {complaint, ""};
+}
+
+/// Takes numbers such as 12, -1.5 and 1e3, not nan.
+CLI::Validator finite_number() {
+  const auto complaint = [](const std::string& text) {
+    double value{};
+    const char* const end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc() && stopped == end && std::isfinite(value)) return std::string();
+    return "expected a number, found " + printable(text);
+  };
+  return {complaint, ""};
+}
 
 /// The subcommand, or subcommand of it, that was parsed last.
 const CLI::App& innermost(const CLI::App& app) {
@@ -81,6 +115,18 @@ void require_values(const CLI::App& app) {
   for (const CLI::App* used : app.get_subcommands()) require_values(*used);
 }
 
+/// Makes every option of this subcommand, and of those below it, that takes a whole number refuse what is none: the
+/// parser would read -1 as the largest number and 010 as 8.
+void require_whole_numbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    if (type.starts_with("UINT")) option->transform(whole_number<std::uint64_t>());
+    if (type.starts_with("INT")) option->transform(whole_number<int>());
+    if (type.starts_with("FLOAT")) option->transform(finite_number());
+  }
+  for (CLI::App* sub : app.get_subcommands({})) require_whole_numbers(*sub);
+}
+
 int run(std::vector<std::string> words) {
   CLI::App app("Construct, check and prove developable ruled spline surfaces in exact arithmetic.", "torse");
   app.set_version_flag("--version", std::string("torse ") + version, "print the version");
@@ -93,6 +139,7 @@ int run(std::vector<std::string> words) {
   for (const Command& command : commands) {
     CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
     actions.emplace_back(sub, command.define(*sub));
+    require_whole_numbers(*sub);
   }
   try {
     std::ranges::reverse(words);
@@ -102,6 +149,7 @@ int run(std::vector<std::string> words) {
     return report_usage(app, error);
   }
   require_values(app);
+  require_distinct_files(app);
   for (const auto& [sub, action] : actions) {
     if (sub->parsed()) return action();
   }

@@ -1,7 +1,6 @@
 // The options --json, --junit and --sarif.
 #include "torse/cli/report_files.hpp"
 
-#include "torse/cli/command.hpp"
 #include "torse/cli/version.hpp"
 #include "torse/io/file.hpp"
 
@@ -11,11 +10,6 @@ void add_report_options(CLI::App& app, ReportFiles& files) {
   app.add_option("--json", files.json, "write the results as JSON; - is standard output")->type_name("FILE");
   app.add_option("--junit", files.junit, "write a JUnit XML report")->type_name("FILE");
   app.add_option("--sarif", files.sarif, "write a SARIF 2.1.0 report")->type_name("FILE");
-}
-
-void require_one_output(const ReportFiles& files) {
-  const int count = (files.json == "-" ? 1 : 0) + (files.junit == "-" ? 1 : 0) + (files.sarif == "-" ? 1 : 0);
-  if (count > 1) throw UsageError("only one of --json, --junit and --sarif can write to standard output");
 }
 
 void write_case_reports(const ReportFiles& files, const std::vector<ReportCase>& cases) {

@@ -1,5 +1,5 @@
 // The options --json, --junit and --sarif, shared by the subcommands that report.
-//   ReportFiles      where the reports go        add_report_options, require_one_output, write_case_reports
+//   ReportFiles      where the reports go        add_report_options, write_case_reports
 #pragma once
 
 #include <CLI/App.hpp>
@@ -23,9 +23,6 @@ struct ReportFiles {
 
 /// Adds the three options to a subcommand.
 void add_report_options(CLI::App& app, ReportFiles& files);
-
-/// Throws UsageError where more than one report wants standard output.
-void require_one_output(const ReportFiles& files);
 
 /// Writes the JUnit and SARIF reports that were asked for. Throws FileError.
 void write_case_reports(const ReportFiles& files, const std::vector<ReportCase>& cases);

@@ -112,7 +112,6 @@ std::function<void(std::size_t, std::size_t)> progress_line() {
 
 int run_design(const StudyOptions& options) {
   require_viewer(options.html);
-  if (options.json == "-" && options.csv == "-") throw UsageError("only one of --json and --csv can be -");
   const studies::Task task = task_of(options);
   const std::string part = journal_file(options);
   std::optional<studies::Journal> journal;

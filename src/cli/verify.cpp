@@ -74,7 +74,6 @@ void check_options(VerifyOptions& options) {
                         : options.effort == "standard" ? proofs::Effort::standard
                                                        : proofs::Effort::deep;
   read_shard(options.shard, options.selection);
-  require_one_output(options.reports);
 }
 
 proofs::Progress progress_line(bool shown) {

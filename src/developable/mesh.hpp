@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -28,15 +29,21 @@ struct TriangleMesh {
   std::vector<MeshVector> points{};
   std::vector<MeshVector> normals{};
   std::vector<std::array<MeshCorner, 3>> triangles{};
-  /// Every point of the surface is at most so far from a triangle, and conversely.
+  /// Every point of the surface is at most so far from a triangle, and conversely; infinite without triangles.
   double deviation = 0;
+  /// The piece, counted from 0, where that is so.
+  std::size_t worst_piece = 0;
 };
 
 namespace detail {
 
 class MeshBuilder {
  public:
+  explicit MeshBuilder(int exponent) : exponent_(exponent) {}
+
+  /// `strip` must live until `take`.
   void add(const MeshStrip& strip, bool smooth_before) {
+    const std::size_t before = mesh_.triangles.size();
     const std::array<std::uint32_t, 2> c{point(strip.c[0]), point(strip.c[1])};
     const std::array<std::uint32_t, 2> d{point(strip.d[0]), point(strip.d[1])};
     const std::array<Pair, 2> at{smooth_before && last_ ? *last_ : normals_at(strip, 0), normals_at(strip, 1)};
@@ -52,17 +59,69 @@ class MeshBuilder {
       add_triangle({c0, c1, d0});
       add_triangle({c1, d1, d0});
     }
-    mesh_.deviation = std::max(mesh_.deviation, strip.deviation);
+    if (mesh_.triangles.size() == before) {
+      flat_.push_back(&strip);
+      return;
+    }
+    note(strip.deviation, strip.piece);
+    count_flat(Ruling{strip.c[0], strip.d[0]});
+    covered_ = Ruling{strip.c[1], strip.d[1]};
   }
 
-  TriangleMesh take() { return std::move(mesh_); }
+  TriangleMesh take() {
+    count_flat(std::nullopt);
+    return std::move(mesh_);
+  }
 
  private:
+  struct Ruling {
+    MeshVector c;
+    MeshVector d;
+  };
+
   /// The normals at the ends of a ruling.
   struct Pair {
     std::uint32_t c;
     std::uint32_t d;
   };
+
+  void note(double deviation, std::size_t piece) {
+    if (deviation <= mesh_.deviation) return;
+    mesh_.deviation = deviation;
+    mesh_.worst_piece = piece;
+  }
+
+  /// The strips since `covered_` have no triangles: they are as far from the mesh as from the rulings where it ends and
+  /// begins again.
+  void count_flat(const std::optional<Ruling>& after) {
+    for (const MeshStrip* strip : flat_) {
+      double gap = std::numeric_limits<double>::infinity();
+      for (const std::optional<Ruling>& ruling : {covered_, after}) {
+        if (ruling) gap = std::min(gap, gap_between(*strip, *ruling));
+      }
+      if (std::isfinite(gap)) gap = (Interval::point(strip->deviation) + Interval::point(gap)).upper();
+      note(gap, strip->piece);
+    }
+    flat_.clear();
+  }
+
+  /// A bound of the distance of (1-v) c + v d on the strip from the same on the ruling.
+  double gap_between(const MeshStrip& strip, const Ruling& ruling) const {
+    double most = 0;
+    for (const std::size_t end : {0U, 1U}) {
+      most = std::max({most, distance_bound(strip.c[end], ruling.c), distance_bound(strip.d[end], ruling.d)});
+    }
+    return most;
+  }
+
+  double distance_bound(const MeshVector& x, const MeshVector& y) const {
+    Vec<Interval, 3> e;
+    for (std::size_t j = 0; j < 3; ++j) {
+      e[static_cast<int>(j)] =
+          Interval::point(std::ldexp(x[j], -exponent_)) - Interval::point(std::ldexp(y[j], -exponent_));
+    }
+    return std::ldexp(norm_bound(e).upper(), exponent_);
+  }
 
   static double distance(const MeshVector& x, const MeshVector& y) {
     return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
@@ -109,17 +168,21 @@ class MeshBuilder {
     mesh_.triangles.push_back(t);
   }
 
+  int exponent_;
   TriangleMesh mesh_;
+  std::vector<const MeshStrip*> flat_;
+  std::optional<Ruling> covered_;
   std::map<MeshVector, std::uint32_t> index_;
   std::optional<Pair> last_;
 };
 
 }  // namespace detail
 
-/// The mesh of the strips of `arcs`: two triangles each, on the shorter diagonal. A corner at a kink has a normal for
-/// either side.
+/// The mesh of the strips of `arcs`: two triangles each, on the shorter diagonal, without those of which two corners
+/// are one point. A strip of which none is left counts in the deviation by its distance from the strips beside it. A
+/// corner at a kink has a normal for either side.
 inline TriangleMesh mesh_of_strips(const RuledArcs& arcs, const std::vector<MeshStrip>& strips) {
-  detail::MeshBuilder builder;
+  detail::MeshBuilder builder(arcs.exponent);
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const bool same_piece = i > 0 && strips[i].piece == strips[i - 1].piece;
     builder.add(strips[i], same_piece || !arcs.pieces[strips[i].piece].kink_before);

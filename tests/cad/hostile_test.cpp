@@ -47,6 +47,10 @@ TEST_F(HostileCad, NotWhatTheNamePromises) {
   refused("a.igs", "hello", "column 73");
   refused("a.step", "ISO-10303-21;", "STEP");
   refused("a.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n", "STEP");
+  refused("a.step",
+          "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+          "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n",
+          "expected an entity, found none\n");
   IgesText iges;
   iges.line("0.,0.,0.", "1.,0.,0.");
   refused("a.igs", iges.file(), "found none");

@@ -96,6 +96,20 @@ TEST_F(Convert, UsageErrors) {
   EXPECT_EQ(convert("plate.txt").exit, 2);
 }
 
+/// The second piece is a segment, 7 long outside of the only triangle.
+TEST_F(Convert, APieceThatSweepsNoSurfaceIsNamed) {
+  const std::string degenerate = R"({"torse": 1, "type": "ruled", "degree": 1, "knots": [0, 2, 3],
+    "c": {"points": [["8/5", "-1/6", -4], ["-3/2", -1, 2], [-9, -1, "4/5"]]},
+    "d": {"points": [[0, "-9/4", 4], ["-3/2", -1, 2], [-9, -1, "4/5"]]}})";
+  for (const char* name : {"a.obj", "a.stl", "a.glb"}) {
+    const ProgramResult result =
+        run_program({"convert", input(degenerate), "-o", out(name), "--unit", "m", "--tolerance", "1/2"});
+    EXPECT_EQ(result.exit, 2);
+    EXPECT_THAT(result.err, HasSubstr("points: sweep no surface in piece 2 farther than the tolerance from the rest"));
+    EXPECT_FALSE(std::filesystem::exists(out(name)));
+  }
+}
+
 TEST_F(Convert, ErrorsLeaveTheOldFile) {
   spill(scratch / "a.obj", "old");
   for (const char* tolerance : {"1e-40", "1e-4000"}) {

@@ -208,7 +208,17 @@ TEST_F(Study, RefusesWhatItCannotUse) {
   design("FJ07.11", "FJ07.99");
   refused({path("bad.json")}, "routes[2]");
   design("\"before\": [0.5]", "\"before\": [0.5], \"after\": [1]");
-  refused({path("bad.json")}, "one of before, after and inside");
+  refused({path("bad.json")}, "expected one of before, after and inside, which are places of the same M*, found 2\n");
+  design("FJ07.11", "FJ07.13");
+  refused({path("bad.json")}, "expected each name once, found \"FJ07.13\" again\n");
+  design("[\"float\", \"float128\"]", "[]");
+  refused({path("bad.json")}, "expected at least one name, found an array of 0\n");
+  design("[0.5]", "[]");
+  refused({path("bad.json")}, "expected at least one level, found an array of 0\n");
+  std::string many = "[0.5";
+  for (int i = 0; i < 25'000; ++i) many += ",1";
+  design("[0.5]", many + "]");
+  refused({path("bad.json")}, "expected at most 100000 combinations, found 100004\n");
   design("[1, 3]", "[1, 1000]");
   refused({path("bad.json")}, "factors.pieces[1]");
   design("\"seed\"", "\"sede\"");

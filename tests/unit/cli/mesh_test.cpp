@@ -329,5 +329,18 @@ TEST(Mesh, WhatHasNoMesh) {
   EXPECT_EQ(place(negative, 1), "");
 }
 
+/// A triangle that ends in a point, and from there both rails on one segment of length sqrt(5^2 + 12^2) = 13, which no
+/// triangle covers: it is as long as that, and beyond any smaller tolerance.
+TEST(Mesh, APieceThatSweepsNoSurfaceIsNotLeftOutInSilence) {
+  const std::vector<Vec<Q, 3>> c{test::point(-2, -3, 0), test::point(0, 0, 0), test::point(5, 12, 0)};
+  const std::vector<Vec<Q, 3>> d{test::point(-2, -5, 4), test::point(0, 0, 0), test::point(5, 12, 0)};
+  const RuledArcs arcs = arcs_of(surface_of(knots(1, {0, 2, 3}), c, d));
+  EXPECT_EQ(test::place_of([&] { return mesh_surface(arcs, 12.999, doubles); }), "points");
+  const TriangleMesh mesh = mesh_surface(arcs, 13.001, doubles);
+  EXPECT_EQ(mesh.triangles.size(), 1U);
+  EXPECT_NEAR(mesh.deviation, 13, 1e-6);
+  EXPECT_GE(mesh.deviation, 13);
+}
+
 }  // namespace
 }  // namespace torse::cli

@@ -132,5 +132,41 @@ TEST(MeshTriangles, HaveThreePoints) {
   EXPECT_EQ(triangles(a, a, c, c), 0U);
 }
 
+/// A triangle that ends at (1, 0, 0), a line along y and one to (4, 4, 0), where another triangle begins: the first
+/// line is 3 from the triangle before it, the second one sqrt(10) from the one behind it.
+TEST(MeshTriangles, WhatHasNoneIsAsFarAsItIsFromThem) {
+  const auto line = [](const MeshVector& from, const MeshVector& to) {
+    return MeshStrip{.piece = 1, .c = {from, to}, .d = {from, to}};
+  };
+  const MeshStrip before{.piece = 0, .c = {{{0, 0, 0}, {1, 0, 0}}}, .d = {{{0, 1, 0}, {1, 0, 0}}}, .deviation = 0.5};
+  const MeshStrip behind{.piece = 2, .c = {{{4, 4, 0}, {5, 4, 0}}}, .d = {{{4, 4, 0}, {4, 5, 0}}}};
+  MeshStrip first = line({1, 0, 0}, {1, 3, 0});
+  const MeshStrip second = line({1, 3, 0}, {4, 4, 0});
+  for (const int exponent : {0, 7}) {
+    const RuledArcs arcs{{RuledPiece{}, RuledPiece{}, RuledPiece{}}, exponent};
+    const auto expect = [&](const std::vector<MeshStrip>& strips, double deviation, std::size_t piece) {
+      const TriangleMesh mesh = mesh_of_strips(arcs, strips);
+      EXPECT_NEAR(mesh.deviation, deviation, 1e-12);
+      EXPECT_GE(mesh.deviation, deviation);
+      EXPECT_EQ(mesh.worst_piece, piece);
+    };
+    expect({before, first, second, behind}, std::sqrt(10), 1);
+    expect({before, first, second}, 5, 1);
+    expect({first, second, behind}, 5, 1);
+    expect({before, first}, 3, 1);
+    expect({before, line({1, 0, 0}, {1, 0.25, 0})}, 0.5, 0);
+    first.deviation = 0.25;
+    expect({before, first}, 3.25, 1);
+    first.deviation = 0;
+  }
+  EXPECT_TRUE(std::isinf(mesh_of(first).deviation));
+}
+
+/// A strip that is a ruling is one of its neighbour.
+TEST(MeshTriangles, ARulingIsWithItsNeighbour) {
+  const MeshStrip ruling{.piece = 1, .c = {{{1, 0, 0}, {1, 0, 0}}}, .d = {{{1, 1, 0}, {1, 1, 0}}}};
+  EXPECT_EQ(mesh_of_strips({{RuledPiece{}, RuledPiece{}}, 0}, {square(), ruling}).deviation, 0);
+}
+
 }  // namespace
 }  // namespace torse

@@ -32,8 +32,9 @@ TEST(RepairDistance, CountsByHand) {
 
   after = before;
   after.c.weights[0] = q(4, 3);
-  EXPECT_NEAR(distance_between(before, after).weights, 0.25, 1e-15);
-  EXPECT_NEAR(distance_between(before, after).surfaces.value(), std::sqrt(27.25) / 4, 1e-14);
+  EXPECT_NEAR(distance_between(before, after).weights, 1 / 3.0, 1e-15);
+  EXPECT_NEAR(distance_between(before, after).surfaces.value(), std::sqrt(27.25) / 3, 1e-14);
+  EXPECT_NEAR(distance_between(after, before).weights, 0.25, 1e-15);
   after.c.weights[0] = Q(-1);
   EXPECT_FALSE(distance_between(before, after).surfaces);
   EXPECT_FALSE(distance_between(after, before).surfaces);
@@ -114,33 +115,35 @@ TEST(RepairDistance, IsRoundedUpwards) {
     EXPECT_GE(exact(distance.largest) * exact(distance.largest), square);
     EXPECT_LT(below(distance.largest) * below(distance.largest), square);
     EXPECT_GE(Q(4) * exact(distance.root_mean_square) * exact(distance.root_mean_square), square);
-    after.c.weights[0] = Q(n) / Q(n + 1);
+    after.c.weights[0] = Q(n - 1) / Q(n);
     const double weights = distance_between(before, after).weights;
     EXPECT_GE(exact(weights), Q(1) / Q(n));
     EXPECT_LE(below(weights), Q(1) / Q(n));
   }
 }
 
-// The bound of the distance of surfaces holds at samples, also with weights.
+// The bound of the distance of surfaces holds at samples, also with weights that become much smaller or larger.
 TEST(RepairDistance, BoundsTheSurfaces) {
   const Sample sample = rational_sample(bezier_knots<Q>(2), 71);
-  RuledRows other = noisy(sample.rows, -6, 72);
-  other.c.weights[1] += q(1, 50);
-  const double bound = distance_between(sample.rows, other).surfaces.value();
   const auto at_point = [&](const RuledRows& rows, const Q& t, const Q& v) {
     const Row4 p = curve_point<Q, Row4>(sample.u, homogeneous(rows.c), 1, t);
     const Row4 x = combine(Q(1) - v, p, v, curve_point<Q, Row4>(sample.u, homogeneous(rows.d), 1, t));
     return Point3(x[1] / x[0], x[2] / x[0], x[3] / x[0]);
   };
-  double largest = 0;
-  for (int i = 0; i <= 10; ++i) {
-    for (int k = 0; k <= 4; ++k) {
-      const Point3 gap = difference(at_point(sample.rows, q(i, 10), q(k, 4)), at_point(other, q(i, 10), q(k, 4)));
-      largest = std::max(largest, std::sqrt(dot(gap, gap).to_double()));
+  for (const Q& factor : {q(1, 16), q(1, 4), q(51, 50), Q(4)}) {
+    RuledRows other = noisy(sample.rows, -6, 72);
+    other.c.weights[1] *= factor;
+    const double bound = distance_between(sample.rows, other).surfaces.value();
+    double largest = 0;
+    for (int i = 0; i <= 10; ++i) {
+      for (int k = 0; k <= 4; ++k) {
+        const Point3 gap = difference(at_point(sample.rows, q(i, 10), q(k, 4)), at_point(other, q(i, 10), q(k, 4)));
+        largest = std::max(largest, std::sqrt(dot(gap, gap).to_double()));
+      }
     }
+    EXPECT_LE(largest, bound);
+    EXPECT_GE(largest, bound / 50);
   }
-  EXPECT_LE(largest, bound);
-  EXPECT_GE(largest, bound / 50);
 }
 
 }  // namespace

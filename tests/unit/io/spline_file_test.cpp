@@ -97,6 +97,14 @@ TEST(RuledFile, ARailHasTwoPointsAtLeast) {
             "c.points: expected 2 to " + std::to_string(limits::points) + " control points, found an array of 1");
 }
 
+/// Not that the other row has more.
+TEST(RuledFile, ARowWithoutPointsIsTheFault) {
+  const std::string none = R"({"torse": 1, "type": "ruled", "degree": 1, "c": {"points": []},
+ "d": {"points": [[0, 0, 1], [1, 0, 1]]}})";
+  EXPECT_EQ(error_of(none, [](const Document& document) { read_ruled<Q>(document); }),
+            "c.points: expected 2 to " + std::to_string(limits::points) + " control points, found an array of 0");
+}
+
 TEST(RuledFile, BrokenMembersAreNamed) {
   EXPECT_EQ(ruled_error("\"torse\": 1", "\"torse\": 2"), "torse: expected 1, found 2");
   EXPECT_EQ(ruled_error("\"torse\": 1, ", ""), ": expected the key \"torse\", found none");
@@ -125,11 +133,11 @@ TEST(RuledFile, BrokenKnotsAreNamedByTheirIndexInTheFile) {
   EXPECT_EQ(
       knots("[0, 0, 1]"),
       "knots: expected 5 (papers' list) or 7 (CAD list) knots for degree 2 and 4 control points, found an array of 3");
-  EXPECT_EQ(knots("[0, 0, 2, 1, 2]"), "knots[3]: expected a knot not below the one before it");
+  EXPECT_EQ(knots("[0, 0, 2, 1, 2]"), "knots[3]: expected a knot not below the one before it, found 1");
   EXPECT_EQ(knots("[0, 0, 0, 1, 1]"), "knots[2]: expected a knot at most 2 times (the degree), found it more often");
   EXPECT_EQ(knots("[0, 0, 0, 1, 1, 1, 1]"),
             "knots[5]: expected a knot at most 2 times (the degree), found it more often");
-  EXPECT_EQ(knots("[1, 0, 0, 1, 2, 2, 2]"), "knots[1]: expected a knot not below the one before it");
+  EXPECT_EQ(knots("[1, 0, 0, 1, 2, 2, 2]"), "knots[1]: expected a knot not below the one before it, found 0");
   EXPECT_EQ(knots("[0, 0, 0, 1, 2, 2, 2]"), "no error");
 }
 
