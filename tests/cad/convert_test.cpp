@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "cad/iges_text.hpp"
-#include "cad/step_text.hpp"
 #include "support/program.hpp"
 #include "torse/cli/faces.hpp"
 
@@ -377,32 +376,6 @@ TEST_F(ConvertCad, ErrorsLeaveTheOldFile) {
   const std::string close = R"({"torse": 1, "type": "ruled", "degree": 1, "knots": [0, 1, "1.00000000000000000001", 2],
     "c": {"points": [[0,0,0],[1,0,0],[2,0,0],[3,0,0]]}, "d": {"points": [[0,1,0],[1,1,0],[2,1,0],[3,1,0]]}})";
   EXPECT_THAT(convert(close, "a.igs").err, HasSubstr("knots[2]: expected a knot at most 1 times"));
-}
-
-/// One sphere, one chosen beside a plane, and two.
-TEST_F(ConvertCad, FacesThatAreNotRuledAreNamed) {
-  const std::string out = (scratch / "out.igs").string();
-  const auto error = [&](bool plate, int spheres, const std::vector<std::string>& options) {
-    StepText step("m");
-    std::vector<std::string> items;
-    if (plate) {
-      items.push_back(step.spline("plate", 1, 1, {{"0.,0.,0.", "0.,4.,0."}, {"3.,0.,0.", "3.,4.,0."}},
-                                  "(2,2),(2,2),(0.,1.),(0.,1.)"));
-    }
-    for (int i = 0; i < spheres; ++i) {
-      items.push_back(step.add("SPHERICAL_SURFACE('ball'," + step.frame("0.,0.,0.", "0.,0.,1.", "1.,0.,0.") + ",1.)"));
-    }
-    spill(scratch / "part.step", step.file(items, false));
-    std::vector<std::string> words{"convert", (scratch / "part.step").string(), "-o", out};
-    words.insert(words.end(), options.begin(), options.end());
-    const ProgramResult result = run_program(words);
-    EXPECT_EQ(result.exit, 2);
-    EXPECT_FALSE(std::filesystem::exists(out));
-    return result.err;
-  };
-  EXPECT_THAT(error(false, 1, {}), HasSubstr("part.step: is not ruled: sphere"));
-  EXPECT_THAT(error(true, 1, {"--face", "ball"}), HasSubstr("part.step: is not ruled: sphere"));
-  EXPECT_THAT(error(false, 2, {}), HasSubstr("part.step: none of its 2 faces is ruled"));
 }
 
 }  // namespace

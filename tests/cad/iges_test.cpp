@@ -208,59 +208,6 @@ TEST_F(Iges, AMatrixMovesPointsWhateverTheirWeights) {
   EXPECT_EQ(doubles(read[0].surface->d.weights), (std::vector<double>{1, 0.25, 2}));
 }
 
-/// A parabola c and c + (0, 0, 4): a cylinder with the same weights up to a factor, else not. All weights of one rail
-/// are tiny, or nearly equal: OpenCASCADE takes those for ones.
-TEST_F(Iges, TinyAndNearlyEqualWeightsAreNoOnes) {
-  const char* const c = "0.,0.,0.,1.,2.,0.,4.,3.,0.";
-  const char* const d = "0.,0.,4.,1.,2.,4.,4.,3.,4.";
-  const auto tiny = [](const std::string& middle) { return "1.D-13," + middle + "D-13,2.D-13"; };
-  const auto developable = [&](const std::string& of_c, const std::string& of_d) {
-    IgesText iges;
-    iges.ruled(iges.bezier(2, of_c, c), iges.bezier(2, of_d, d), 0, 0, {.form = 1});
-    iges.add(128, "2,1,2,1,0,0,0,0,0, 0.,0.,0.,1.,1.,1., 0.,0.,1.,1.," + of_c + "," + of_d + "," + c + "," + d +
-                      ",0.,1.,0.,1.");
-    const json report = check(iges);
-    EXPECT_EQ(report.size(), 2U);
-    const bool answer = report[0]["developable"];
-    EXPECT_EQ(report[1]["developable"], answer) << of_c << " " << of_d;
-    return answer;
-  };
-  EXPECT_TRUE(developable(tiny("3."), tiny("3.")));
-  EXPECT_FALSE(developable(tiny("3."), tiny("5.")));
-  EXPECT_FALSE(developable(tiny("3."), "1.,1.,1."));
-  EXPECT_FALSE(developable("1.,1.,1.", tiny("3.")));
-  EXPECT_FALSE(developable("1.,1.,1.", "1.,1.00000000001,1."));
-  EXPECT_TRUE(developable("1.,1.00000000001,1.", "1.,1.00000000001,1."));
-  EXPECT_TRUE(developable("1.D-13,1.D-13,1.D-13", "1.,1.,1."));
-}
-
-/// What is written keeps its weights too: both rails have the same ones up to a power of two, one of them tiny.
-TEST_F(Iges, TinyWeightsAreWrittenAsWeights) {
-  spill(scratch / "net.json", R"({"torse": 1, "type": "ruled", "degree": 2, "knots": [0, 0, 1, 1],
-    "c": {"points": [[0, 0, 0], [1, 2, 0], [4, 3, 0]], "weights": ["0x1p-40", "0x3p-40", "0x1p-39"]},
-    "d": {"points": [[0, 0, 4], [1, 2, 4], [4, 3, 4]], "weights": [1, 3, 2]}})");
-  const std::string out = (scratch / "out.igs").string();
-  const ProgramResult written = run_program({"convert", (scratch / "net.json").string(), "-o", out});
-  EXPECT_EQ(written.exit, 0) << written.err;
-  const ProgramResult read = run_program({"check", out});
-  EXPECT_EQ(read.exit, 0) << read.out;
-  EXPECT_THAT(read.out, HasSubstr("cylinder, direction (0, 0, 1)"));
-}
-
-/// The weight stays with its sign: a cylinder over a curve with a negative weight, and another one above it.
-TEST_F(Iges, ANegativeWeightOfASurfaceIsRead) {
-  for (const bool same : {true, false}) {
-    IgesText iges;
-    iges.add(128, std::string("2,1,2,1,0,0,0,0,0, 0.,0.,0.,1.,1.,1., 0.,0.,1.,1., 1.,-.5,3., 1.,") +
-                      (same ? "-.5" : ".5") +
-                      ",3., 0.,0.,0.,1.,2.,0.,4.,3.,0., 0.,0.,4.,1.,2.,4.,4.,3.,4.,0.,1.,0.,1.");
-    const std::vector<cli::Face> read = faces(iges);
-    ASSERT_TRUE(read[0].surface);
-    EXPECT_EQ(doubles(read[0].surface->c.weights), (std::vector<double>{1, -0.5, 3}));
-    EXPECT_EQ(check(iges)[0]["developable"], same);
-  }
-}
-
 TEST_F(Iges, AMatrixMovesACurveAlone) {
   IgesText iges;
   const int matrix = iges.add(124, "1.,0.,0.,0., 0.,1.,0.,3., 0.,0.,1.,0.5");

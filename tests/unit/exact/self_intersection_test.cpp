@@ -177,28 +177,6 @@ TEST(SelfIntersection, ARailMayBeItsEdgeOfRegression) {
   expect_witness(bezier_knots<Q>(3), behind, flat(ahead));
 }
 
-/// x = (2t - 1) / ((t - 1/4)(t - 3/4)) decreases between its poles from every number to every other one, so that each
-/// wall over it stands three times.
-TEST(SelfIntersection, RailsThroughInfinityAreNotInOrder) {
-  using Row4 = std::vector<Vec<Q, 4>>;
-  const auto row = [](const Q& w, int x, const Q& z) { return Vec<Q, 4>(w, Q(x), Q(0), z); };
-  const Q end = ratio<Q>(3, 16), middle = ratio<Q>(-5, 16);
-  const Row4 c{row(end, -1, Q(0)), row(middle, 0, Q(0)), row(end, 1, Q(0))};
-  const Row4 d{row(end, -1, end), row(middle, 0, middle), row(end, 1, end)};
-  EXPECT_EQ(find_self_intersection<4>(bezier_knots<Q>(2), c, d).crosses, Truth::yes);
-}
-
-/// In a plane: d goes up from (0, 0) to (1, 3) and on to the right. c begins above it at (1/2, 26), is at infinity, to
-/// the right, where d is at (1, 3), and comes back from the left to (-10, 2). Rulings turn to one side all the time,
-/// but those of the second piece go from d back through those of the first one.
-TEST(SelfIntersection, ARailThatIsInfiniteAtAKnotIsNotInOrder) {
-  using Row4 = std::vector<Vec<Q, 4>>;
-  const auto row = [](int w, int x, int y) { return Vec<Q, 4>(Q(w), Q(x), Q(y), Q(0)); };
-  const Row4 c{row(10, 5, 260), row(11, 24, 130), row(0, 10, 0), row(-5, 55, -10), row(-10, 100, -20)};
-  const Row4 d{row(8, 0, 0), row(8, 4, 24), row(8, 8, 24), row(8, 9, 24), row(8, 10, 24)};
-  EXPECT_EQ(find_self_intersection<4>(KnotList<Q>(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2)}), c, d).crosses, Truth::yes);
-}
-
 TEST(SelfIntersection, PlanesConesAndClosedStripsDoNot) {
   EXPECT_EQ(crosses(bezier_knots<Q>(1), {point(0, 0, 0), point(1, 0, 0)}, {point(0, 1, 0), point(1, 1, 0)}), Truth::no);
   const Row tip(3, point(0, 0, 1));
@@ -373,21 +351,6 @@ TEST(SelfIntersection, SizesDoNotMatter) {
     EXPECT_EQ(tube(-1), Truth::yes) << size;
     EXPECT_EQ(tube(1), Truth::no) << size;
   }
-}
-
-/// A slab through a wall near the upper end of its last ruling, away from the other three corners of the wall.
-TEST(SelfIntersection, EveryCornerCounts) {
-  const auto at = [](int x, int y, int z) { return Point(ratio<Q>(x, 20), ratio<Q>(y, 20), ratio<Q>(z, 20)); };
-  const KnotList<Q> u(1, {Q(0), Q(1), Q(2), Q(3), Q(4), Q(5)});
-  const Row c{at(0, 0, 0), at(40, 0, 0), at(80, 0, 18), at(80, -40, 18), at(38, -10, 18), at(38, 10, 18)};
-  const Row d{at(0, 0, 20), at(40, 0, 20), at(80, 0, 19), at(80, -40, 19), at(38, -10, 19), at(38, 10, 19)};
-  EXPECT_EQ(crosses(u, c, d), Truth::yes);
-  EXPECT_EQ(crosses(u, d, c), Truth::yes);
-  Row before = c;
-  Row above = d;
-  before.back() = at(38, -1, 18);
-  above.back() = at(38, -1, 19);
-  EXPECT_EQ(crosses(u, before, above), Truth::no);
 }
 
 /// With a negative weight the first arc leaves the hull of its control points, which lie at y >= 0: it comes down to y
