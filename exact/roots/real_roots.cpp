@@ -175,10 +175,12 @@ int sign_at(const IntegerPolynomial& f, const Rational& x) {
 
 /// The positive roots of a square-free polynomial without rational roots, each alone in its bracket.
 std::vector<Bracket> isolate(const IntegerPolynomial& f) {
+  constexpr int patience = 8;  // cuts before Newton's steps are tried: most roots are apart by then
   constexpr slong most_share = 1 << 20;
   struct Node {
     Bracket at;
     slong precision;
+    int cuts = 0;
     slong share = 1;
   };
   std::vector<Bracket> isolated;
@@ -200,19 +202,19 @@ std::vector<Bracket> isolate(const IntegerPolynomial& f) {
     // A part with as many variations has all roots that there are.
     std::optional<Bracket> part;
     for (const bool from_upper : {false, true}) {
-      if (!count || part) continue;
+      if (!count || part || node.cuts < patience) continue;
       part = newton_part(f, node.at, from_upper, *count, node.share, 2 * precision);
       if (part && variations(f, *part, 2 * precision) != count) part.reset();
     }
     if (part) {
-      open.push_back({*std::move(part), precision, std::min(most_share, 2 * node.share)});
+      open.push_back({*std::move(part), precision, node.cuts, std::min(most_share, 2 * node.share)});
       continue;
     }
     const Rational middle = node.at.middle();
     const slong next = count ? node.precision : precision;
     const slong share = std::max<slong>(1, node.share / 2);
-    open.push_back({{middle, node.at.upper}, next, share});
-    open.push_back({{node.at.lower, middle}, next, share});
+    open.push_back({{middle, node.at.upper}, next, node.cuts + 1, share});
+    open.push_back({{node.at.lower, middle}, next, node.cuts + 1, share});
   }
   return isolated;
 }

@@ -13,7 +13,6 @@
 namespace torse::cli {
 namespace {
 
-constexpr double most_effort = 0x1p40;
 constexpr double most_directrix_effort = 0x1p38;
 constexpr double most_branch_effort = 0x1p31;
 
@@ -64,12 +63,13 @@ double effort_of(const RuledFile<Rational>& surface, double degree_power, double
   return effort * std::pow(n, degree_power);
 }
 
-void require_effort(const std::string& file, const RuledFile<Rational>& surface, const std::string& what) {
+void require_effort(const std::string& file, const RuledFile<Rational>& surface, const std::string& what, int most) {
   const double effort = effort_of(surface, 2, 1.5);
-  if (effort <= most_effort) return;
-  throw FileError(file, fmt::format("expected {} of effort 2^40 at most, found 2^{:.1f}: {} control points of "
-                                    "degree {} with numbers of this length take too long",
-                                    what, std::log2(effort), 2 * surface.c.points.size(), surface.knots.degree()));
+  if (effort <= std::ldexp(1.0, most)) return;
+  throw FileError(file,
+                  fmt::format("expected {} of effort 2^{} at most, found 2^{:.1f}: {} control points of "
+                              "degree {} with numbers of this length take too long",
+                              what, most, std::log2(effort), 2 * surface.c.points.size(), surface.knots.degree()));
 }
 
 double directrix_effort(const ConstructFile<Rational>& input) {

@@ -16,9 +16,10 @@ namespace torse::cli {
 /// denominators of the coordinates and weights that act on it.
 double effort_of(const RuledFile<Rational>& surface, double degree_power, double bits_power);
 
-/// Throws FileError where effort_of(surface, 2, 1.5) exceeds 2^40: the exact decision may take some seconds below that.
-/// `what` is the surface's name in the error.
-void require_effort(const std::string& file, const RuledFile<Rational>& surface, const std::string& what = "a surface");
+/// Throws FileError where effort_of(surface, 2, 1.5) exceeds 2^most: the exact decision may take some seconds below
+/// that. `what` is the surface's name in the error.
+void require_effort(const std::string& file, const RuledFile<Rational>& surface, const std::string& what = "a surface",
+                    int most = 40);
 
 /// For the N = n + 1 points of c and D = max(deg a, deg b - 1): N^2 min(N, D + 10) (N (p + q) + r)^1.5, p the most bits
 /// of a numerator, q and r those of the common denominators of a, b and of c. By Cramer's rule the elimination's

@@ -144,7 +144,7 @@ TEST_F(Effort, RailsOfLongNumbersAreNotFitted) {
   }
   const ProgramResult result = run(rails, "fit", {"--coefficients", "10", "-o", out("strip.json")});
   EXPECT_EQ(result.exit, 2);
-  EXPECT_THAT(result.err, HasSubstr("net.json: expected a surface of effort 2^40 at most, found 2^40."));
+  EXPECT_THAT(result.err, HasSubstr("net.json: expected a fitted surface of effort 2^38 at most, found 2^40."));
   EXPECT_FALSE(std::filesystem::exists(out("strip.json")));
 }
 
@@ -165,6 +165,24 @@ TEST_F(Effort, AConstructionMakesNothingThatTorseDoesNotRead) {
   EXPECT_THAT(result.err, HasSubstr("402 control points of degree 100"));
   EXPECT_FALSE(std::filesystem::exists(out("made.json")));
   EXPECT_EQ(run_construct("interpolate", interpolation(3, 30)).exit, 0);
+}
+
+/// One coordinate of so many digits, all of them 9: rulings fold in a part of the strip that is as short as it is long.
+TEST_F(Effort, AFitOfLongNumbers) {
+  const auto fitted = [&](std::size_t count) {
+    const json rails{{"torse", 1},
+                     {"type", "rails"},
+                     {"c", {{"degree", 1}, {"points", {{1, 2, 3}, {4, 5, 6}}}}},
+                     {"d", {{"degree", 2}, {"points", {{std::string(count, '9'), 2, 3}, {4, 5, 6}, {7, 8, 1}}}}}};
+    spill(out("rails.json"), rails.dump());
+    return run_program({"fit", out("rails.json"), "-o", out("made.json")});
+  };
+  EXPECT_EQ(fitted(5000).exit, 0);
+  std::filesystem::remove(out("made.json"));
+  const ProgramResult result = fitted(60000);
+  EXPECT_EQ(result.exit, 2);
+  EXPECT_THAT(result.err, HasSubstr("expected a fitted surface of effort 2^38 at most, found 2^39."));
+  EXPECT_FALSE(std::filesystem::exists(out("made.json")));
 }
 
 TEST_F(Effort, BranchesOfLongNumbersAreNotSearched) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "torse/exact/roots/integer_polynomial.hpp"
@@ -75,6 +76,26 @@ TEST(RealRoots, CloseIrrationalRootsStayApart) {
   const std::vector<RealRoot> roots = real_roots(f, 16);
   ASSERT_EQ(roots.size(), 4U);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(roots[i - 1].upper, roots[i].lower);
+}
+
+/// (x^2 - 2)(x^2 - 2 - h) with h = 2^-20000: as many halvings as h has bits would part the two positive roots.
+TEST(RealRoots, HoweverNearTheyAre) {
+  Rational h(1);
+  for (int i = 0; i < 20000; ++i) h /= Rational(2);
+  const Rational two(2);
+  const Rational more = two + h;
+  const std::vector<Rational> f = product({-two, Rational(0), Rational(1)}, {-more, Rational(0), Rational(1)});
+  const std::vector<RealRoot> roots = real_roots(f, 1);
+  ASSERT_EQ(roots.size(), 4U);
+  const std::array<Rational, 4> squares{more, two, two, more};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Rational lower = roots[i].lower * roots[i].lower;
+    const Rational upper = roots[i].upper * roots[i].upper;
+    EXPECT_TRUE(std::min(lower, upper) < squares[i] && squares[i] < std::max(lower, upper)) << i;
+    const Rational& other = i % 3 == 0 ? two : more;
+    EXPECT_FALSE(std::min(lower, upper) <= other && other <= std::max(lower, upper)) << i;
+  }
+  EXPECT_LT(roots[2].upper, roots[3].lower);
 }
 
 TEST(RealRoots, RoundingDoesNotJoinCloseRoots) {
