@@ -50,7 +50,7 @@ Change change_of(const RuledRows& before, const RuledRows& after) {
       change.largest = std::max<Rational>(change.largest, square);
       change.mean += square;
       change.weights =
-          std::max<Rational>(change.weights, magnitude(now->weights[i] - old->weights[i]) / magnitude(now->weights[i]));
+          std::max<Rational>(change.weights, magnitude(now->weights[i] - old->weights[i]) / magnitude(old->weights[i]));
     }
   }
   change.mean /= Rational(static_cast<long>(count));

@@ -200,14 +200,16 @@ RuledFile<S> read_ruled(const Document& document) {
   root.expect_keys({"torse", "type", "degree", "knots", "c", "d"});
   root.at("c").expect_keys({"points", "weights"});
   root.at("d").expect_keys({"points", "weights"});
+  const Value c_points = root.at("c").at("points");
+  const Value d_points = root.at("d").at("points");
+  const std::size_t count = c_points.items().size();
+  // A row c without points is at fault itself.
+  if (count > 0 && d_points.items().size() != count) {
+    d_points.expected(std::to_string(count) + " control points, as many as in c");
+  }
   WeightedPoints<S, 3> c = detail::read_net<S>(root.at("c"));
   WeightedPoints<S, 3> d = detail::read_net<S>(root.at("d"));
-  const std::size_t count = c.points.size();
-  if (d.points.size() != count) {
-    root.at("d").at("points").expected(std::to_string(count) + " control points, as many as in c");
-  }
-  return {detail::read_knots<S>(document, root, root.at("c").at("points"), static_cast<int>(count)), std::move(c),
-          std::move(d)};
+  return {detail::read_knots<S>(document, root, c_points, static_cast<int>(count)), std::move(c), std::move(d)};
 }
 
 /// The text of a curve file; every number is a string with its exact value.

@@ -36,6 +36,8 @@ TEST(Number, HexadecimalFloatsAreTheDoublesTheyPrint) {
   EXPECT_EQ(read("-0X1.8P+1"), "-3");
   EXPECT_EQ(read("0xff"), "255");
   EXPECT_EQ(read("0xF.8"), "31/2");
+  EXPECT_EQ(read("0x8000000000000000"), "9223372036854775808");
+  EXPECT_EQ(read("0xfedcba9876543210"), "18364758544493064720");
   for (const double x : {0.1, -1.0 / 3, 5e-324, 1.7976931348623157e308}) {
     char buffer[64];
     std::snprintf(buffer, sizeof buffer, "%a", x);

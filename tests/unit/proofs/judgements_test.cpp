@@ -122,6 +122,21 @@ TEST(Symbolic, AHypothesisThatVanishesAtOneSize) {
 /// The probability that a random prime of 62 bits divides a given number of `bits` bits.
 double of_one_prime(double bits) { return bits / 61 / static_cast<double>(prime_count_lower_bound); }
 
+/// The integral of 1 / log x from 2^61 to 2^62, by Simpson's rule, is near their number (prime number theorem), which
+/// prime.hpp names.
+TEST(Modular, ThereAreAsManyPrimesAsThat) {
+  constexpr int steps = 1000;
+  double sum = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const double x = std::ldexp(1 + static_cast<double>(i) / steps, 61);
+    sum += (i == 0 || i == steps ? 1 : i % 2 == 0 ? 2 : 4) / std::log(x);
+  }
+  const double primes = sum * std::ldexp(1.0, 61) / (3 * steps);
+  EXPECT_NEAR(primes / 54042323540385838.0, 1, 1e-6);
+  EXPECT_LT(static_cast<double>(prime_count_lower_bound), primes);
+  EXPECT_GT(static_cast<double>(prime_count_lower_bound), primes * 0.9);
+}
+
 TEST(Modular, TheErrorBoundByHand) {
   // (x + y)^2 and x (x + 2 y) + y^2 have norms 2^2 and 3 + 1, so that no coefficient of the difference exceeds 8 = 2^3.
   // 64 points of degree 2 err with (2/2^61)^64 beside it. The target 2^-60 takes two primes.
