@@ -1,5 +1,5 @@
 // Estimates of work, which the limits of docs/formats.md are about.
-//   effort_of, require_effort             of a ruled surface: all commands
+//   effort_of, require_effort             of a ruled surface: all commands; most_fit_effort
 //   directrix_effort, require_directrix   of the linear system of torse construct directrix
 //   branch_effort, require_branches       of the polynomial of torse construct interpolate
 #pragma once
@@ -15,6 +15,9 @@ namespace torse::cli {
 /// The sum over all pieces of degree^degree_power bits^bits_power, where a piece's bits are those of the numerators and
 /// denominators of the coordinates and weights that act on it.
 double effort_of(const RuledFile<Rational>& surface, double degree_power, double bits_power);
+
+/// For the surfaces of torse fit: a quarter of what others may have, since folds and crossings take longer.
+inline constexpr int most_fit_effort = 38;
 
 /// Throws FileError where effort_of(surface, 2, 1.5) exceeds 2^most: the exact decision may take some seconds below
 /// that. `what` is the surface's name in the error.

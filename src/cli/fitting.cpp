@@ -22,9 +22,6 @@ namespace {
 constexpr int most_degree = 40;
 
 using Row = Vec<Rational, 4>;
-/// Of the surface, as a power of 2: a quarter of what others may have, since folds and crossings take longer.
-constexpr int most_effort = 38;
-
 using Curve = Spline<Rational, Row>;
 
 Curve curve_of(const CurveFile<Rational>& file) { return {file.knots, homogeneous(file.net)}; }
@@ -391,7 +388,7 @@ FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes)
       .findings = quasi::diagnose(found.unit, sigma, {.range = found.range, .threshold = threshold}),
   };
   if (wishes.within) simplify(strip, *wishes.within);
-  require_effort(wishes.file, strip.surface, "a fitted surface", most_effort);
+  require_effort(wishes.file, strip.surface, "a fitted surface", most_fit_effort);
   certify_order(strip);
   // Where all rulings meet in one point of a rail the question is not whether two of them do.
   if (one_point(rails.c) || one_point(rails.d)) strip.crossings = {};
