@@ -90,7 +90,8 @@ std::optional<CadFormat> cad_format(const std::string& file, std::string_view by
   const std::string_view text = without_blanks(bytes);
   if (text.starts_with("ISO-10303-21")) return CadFormat::step;
   const std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));
-  if (line.size() > iges_section_column && line.size() <= 80) {
+  if (line.size() > iges_section_column && line.size() <= 80 &&
+      line.find_first_not_of(" 0123456789", iges_section_column + 1) == std::string_view::npos) {
     const char section = line[iges_section_column];
     if (section == 'S') return CadFormat::iges;
     if (section == 'C') throw FileError(file, "compressed IGES: expected the form of fixed lines of 80 columns");

@@ -215,7 +215,9 @@ std::size_t exponent_bits(std::string_view text) {
   if (text[0] != '-' && text[0] != '+' && (text[0] < '0' || text[0] > '9')) return 0;
   const bool sign = text[before] == '-' || text[before] == '+';
   const char letter = sign && before > 0 ? text[before - 1] : text[before];
-  const std::size_t percent = letter == 'e' || letter == 'E' ? 333 : letter == 'p' || letter == 'P' ? 100 : 0;
+  const bool hexadecimal = text.find_first_of("xX") != std::string_view::npos;
+  const bool tens = !hexadecimal && (letter == 'e' || letter == 'E');
+  const std::size_t percent = tens ? 333 : letter == 'p' || letter == 'P' ? 100 : 0;
   constexpr std::size_t most = limits::binary_exponent;
   std::size_t exponent = 0;
   for (char c : text.substr(before + 1)) exponent = std::min(most, exponent * 10 + static_cast<std::size_t>(c - '0'));

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "mpi/variables.hpp"
 #include "support/process.hpp"
 
 namespace torse::testing {
@@ -11,19 +12,11 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Ranks on this machine alone, as any user, more of them than processors. Open MPI keeps memory to its end.
-const std::map<std::string, std::string> variables{{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
-                                                   {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
-                                                   {"OMPI_MCA_plm", "isolated"},
-                                                   {"OMPI_MCA_rmaps_base_oversubscribe", "1"},
-                                                   {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"},
-                                                   {"ASAN_OPTIONS", "detect_leaks=0"}};
-
 class Mpi : public ::testing::Test {
  protected:
   std::unique_ptr<Process> start(const std::string& ranks, std::vector<std::string> words) const {
     words.insert(words.begin(), {"mpirun", "-n", ranks});
-    return std::make_unique<Process>(words, variables, runs_.scratch() / "output");
+    return std::make_unique<Process>(words, mpi_variables, runs_.scratch() / "output");
   }
   /// Kills a process of a running job once the job has stored something.
   void kill_in_the_middle(const std::string& ranks, const std::string& victim) const {

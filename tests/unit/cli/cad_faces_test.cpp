@@ -49,5 +49,20 @@ TEST(CadFaces, AHundredThousandAtMost) {
   EXPECT_NE(error_of(model_of(0, 100'000)).find("expected at most 100000 surfaces, found 100001"), std::string::npos);
 }
 
+/// A file of 80 columns has nothing but the number of the line behind the letter of its section.
+TEST(CadFaces, JsonIsNoIgesWhateverStandsInColumn73) {
+  const std::string json = R"({"torse":1, "type":"ruled", "degree":1, "c": {"points": [[0, 0, 0], ["0xB",)";
+  for (const char letter : {'B', 'C', 'S'}) {
+    std::string line = json;
+    ASSERT_EQ(line[72], 'B');
+    line[72] = letter;
+    EXPECT_EQ(cad_format("a.json", line + "\n0, 0]]}"), std::nullopt) << letter;
+  }
+  const std::string start(72, ' ');
+  EXPECT_EQ(cad_format("a", start + "S      1\n"), CadFormat::iges);
+  EXPECT_EQ(cad_format("a", start + "S\r\n"), CadFormat::iges);
+  EXPECT_THROW(cad_format("a", start + "B      1\n"), FileError);
+}
+
 }  // namespace
 }  // namespace torse::cli

@@ -139,7 +139,7 @@ TEST(Document, ExponentsAreLimitedTogether) {
   EXPECT_EQ(exponent_bits("0x1.8p-52"), 52U);
   EXPECT_EQ(exponent_bits("0x1P100"), 100U);
   EXPECT_EQ(exponent_bits("1e99999999999999999999"), 66600U);
-  for (const char* none : {"", "12", "-12", "+", "e", "2/3", "name", "line-7", "1e", "0x1.ff"}) {
+  for (const char* none : {"", "12", "-12", "+", "e", "2/3", "name", "line-7", "1e", "0x1.ff", "0x3e99999", "-0X1E5"}) {
     EXPECT_EQ(exponent_bits(none), 0U) << none;
   }
   // 10076 numbers of 13320 bits are just below 2^27.
