@@ -39,7 +39,6 @@ struct Trial {
 
 std::optional<Trial> trial_at(const RailsFile<Rational>& rails, Rational share, const quasi::FitOptions& options) {
   if (share < Rational(0)) share += Rational(1);
-  if (!(share < Rational(1))) share -= Rational(1);
   std::optional<RailsFile<Rational>> moved = from_share(rails, share);
   if (!moved) return std::nullopt;
   const double value = quasi::fit_rails(unit_rails(*moved), options).value;

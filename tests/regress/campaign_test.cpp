@@ -192,6 +192,7 @@ TEST_F(Campaign, FailuresAreFilesThatReplayRuns) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "file://" + path);
   EXPECT_EQ(torse({"campaign", "show", runs_.file("a")}).exit, 1);
+  EXPECT_EQ(torse({"campaign", "show", runs_.file("a"), "--json", "-"}).exit, 1);
   EXPECT_EQ(torse({"campaign", "export", runs_.file("a"), "-o", runs_.file("x/y")}).exit, 0);
   EXPECT_EQ(slurp(runs_.scratch() / "x/y/text.number-quick-3-17.json"), slurp(path));
   const ProgramResult replayed = torse({"replay", runs_.file("a")});

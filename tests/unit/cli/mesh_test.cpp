@@ -311,6 +311,9 @@ TEST(Mesh, WhatHasNoMesh) {
   RuledFile<Q> pole = rational_cubic();
   pole.c.weights[1] = Q(-5);
   EXPECT_EQ(place(pole, 1), "weights");
+  RuledFile<Q> pole_of_d = rational_cubic();
+  pole_of_d.d.weights[1] = Q(-5);
+  EXPECT_EQ(place(pole_of_d, 1), "weights");
   const RuledFile<Q> pole_at_a_knot =
       surface_of(knots(2, {0, 0, 1, 2, 2}), test::points(4, 3), test::points(4, 4), {Q(1), Q(1), Q(-1), Q(-1)});
   EXPECT_EQ(place(pole_at_a_knot, 1), "weights");

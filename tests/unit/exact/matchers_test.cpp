@@ -42,6 +42,14 @@ TEST(Matchers, TheAngleIsALimit) {
   EXPECT_THAT(lifted(1.0 / 7), Not(IsDevelopableWithin(Angle{ratio<Rational>(1418, 10000), true})));
 }
 
+/// atan(1/7) in degrees is less than 1e-60 below: nothing is certified so near.
+TEST(Matchers, ALimitThatIsNotDecidedIsNotKept) {
+  const Angle nearly{Rational::from_text("81301023541559787031443874409065893424084285992904420559720327/"
+                                         "10000000000000000000000000000000000000000000000000000000000000"),
+                     false};
+  EXPECT_THAT(lifted(1.0 / 7), Not(IsDevelopableWithin(nearly)));
+}
+
 TEST(Matchers, TheReasonNamesWitnessAndAngle) {
   EXPECT_THAT(reason(IsDevelopable(), lifted(1)),
               AllOf(HasSubstr("not developable: piece 1, u from 0 to 1: coefficient 0 of the determinant is 1"),

@@ -206,6 +206,17 @@ TEST(SelfIntersection, SheetsThatAllButTouchDoNotCross) {
   for (const double gap : {0x1p-44, 0x1p-200}) EXPECT_NE(strip(gap).crosses, Truth::yes) << gap;
 }
 
+/// The walls z = x^2 and z = -x^2 of one strip touch along the ruling over x = 0, one third along each: no halving
+/// comes to it, and nothing parts them there.
+TEST(SelfIntersection, SheetsThatTouchAreNotSaidNotTo) {
+  const KnotList<Q> u(2, {Q(0), Q(0), Q(1), Q(1), Q(2), Q(2), Q(3), Q(3)});
+  const Row c{point(-2, 0, 2), point(1, 0, -4), point(4, 0, 8),  point(9, 0, 0),
+              point(4, 0, -8), point(1, 0, 4),  point(-2, 0, -2)};
+  Row d = c;
+  for (Point& x : d) x[1] += Q(1);
+  EXPECT_NE(crosses(u, c, d), Truth::no);
+}
+
 /// A wall that is gone along twice: every ruling is there again four walls later.
 TEST(SelfIntersection, SheetsUponEachOtherCross) {
   std::vector<Q> knots;

@@ -199,6 +199,24 @@ TEST(Snapped, SteepLevelAndFarAway) {
   expect_snapped(mapping_of(uniform(3, 1), {Q(0), ratio<Q>(5, 9), ratio<Q>(4, 9), Q(1)}), uniform(3, 1), uniform(3, 4));
 }
 
+/// Knots of C2 beyond its domain are no ends that a mapping may have, and no tolerance of 0 is met.
+TEST(Snapped, RefusesWhatIsNoQuestion) {
+  const KnotList<Q> unclamped(2, {Q(0), Q(1), Q(2), Q(3)});
+  const auto place = [&](const Q& first, const Q& last, const Q& tolerance) -> std::string {
+    try {
+      static_cast<void>(snapped(mapping_of(uniform(1, 1), {first, last}), uniform(1, 1), unclamped, tolerance));
+    } catch (const InvalidInput& invalid) {
+      return invalid.place();
+    }
+    return "";
+  };
+  EXPECT_EQ(place(Q(1), Q(2), relative), "");
+  EXPECT_EQ(place(Q(1), Q(3), relative), "sigma");
+  EXPECT_EQ(place(Q(0), Q(2), relative), "sigma");
+  EXPECT_EQ(place(Q(1), Q(2), Q(0)), "tolerance");
+  EXPECT_EQ(place(Q(1), Q(2), -relative), "tolerance");
+}
+
 TEST(Snapped, AlgorithmOneIsExactOnIt) {
   // The worked example of BZZ19's Fig. 4: p = 3, 5 points, a quadratic mapping with 10 coefficients.
   const KnotList<Q> rails = uniform(3, 2);

@@ -12,6 +12,7 @@
 #include "torse/fuzz/campaign/crash.hpp"
 #include "torse/fuzz/campaign/crew.hpp"
 #include "torse/fuzz/campaign/messages.hpp"
+#include "torse/fuzz/campaign/workers.hpp"
 #include "torse/io/document.hpp"
 #include "unit/fuzz/campaign/support.hpp"
 
@@ -64,7 +65,11 @@ struct Broken : Digits {
     static const PropertyInfo info{"test.broken", "false", 20, {}};
     return info;
   }
-  static In draw(Choices&, const Scale&, Labels&) { throw std::bad_alloc(); }
+  static inline std::atomic<bool> began = false;
+  static In draw(Choices&, const Scale&, Labels&) {
+    began = true;
+    throw std::bad_alloc();
+  }
 };
 
 /// Waits until it is released.
@@ -79,20 +84,21 @@ struct Endless : Digits {
   }
 };
 
-/// Ends the process by a signal, or by an overflow of the stack.
+/// Ends the process by one of the signals, or by an overflow of the stack.
 struct Crash : Digits {
   static const PropertyInfo& info() {
     static const PropertyInfo info{"test.crash", "false", 1, {}};
     return info;
   }
+  static inline int signal = 0;
   static int deep(const volatile char* above) {
     volatile char here[1024] = {};
     here[0] = above == nullptr ? 0 : *above;
     return here[0] == 1 ? 0 : deep(here) + here[1];
   }
   static void check(const In& in, Labels&) {
-    if (in.x > 500000) std::raise(SIGSEGV);
-    std::exit(deep(nullptr));
+    if (signal != 0) std::raise(signal);
+    std::exit(deep(nullptr) + in.x);
   }
 };
 
@@ -232,6 +238,20 @@ TEST_F(Campaigns, AUnitThatCannotBeRunIsNamedAndTheOthersAreStored) {
   }
 }
 
+/// Both at once: what came out first is given first.
+TEST(Workers, ResultsBesideADefectAreGiven) {
+  Plan plan = plan_of({1, 1});
+  plan.properties.push_back(&property<Broken>());
+  Broken::began = false;
+  Workers workers(plan, 1);
+  workers.give({{0, 1}, {2, 1}});
+  while (!Broken::began || !workers.at_work().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const std::vector<UnitResult> results = workers.take(std::chrono::milliseconds(0));
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(results[0].series.property, "test.digits");
+  EXPECT_THROW(workers.take(std::chrono::milliseconds(0)), Error);
+}
+
 TEST_F(Campaigns, AUnitThatDoesNotEndIsNamed) {
   Store a = store("a");
   Plan plan = plan_of({7, 9});
@@ -263,7 +283,9 @@ TEST_F(Campaigns, AreNotCompleteWhereUnitsWereDropped) {
 
 TEST_F(Campaigns, ACrashNamesItsUnit) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+  for (const int signal : {0, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+    Crash::signal = signal;
+    const auto seed = static_cast<std::uint64_t>(signal) + 1;
     Plan plan = plan_of({seed, seed});
     plan.properties = {&property<Crash>()};
     const std::string words = "crashed in test.crash, seed " + std::to_string(seed) + ", quick effort";

@@ -56,6 +56,14 @@ TEST(SeedSet, JoinsNeighbours) {
   EXPECT_EQ(SeedSet().text(), "");
 }
 
+TEST(SeedSet, TenIntervalsAreNamed) {
+  SeedSet set;
+  for (std::uint64_t seed = 1; seed <= 19; seed += 2) set.add(seed);
+  EXPECT_EQ(set.text(), "1, 3, 5, 7, 9, 11, 13, 15, 17, 19");
+  set.add(21);
+  EXPECT_EQ(set.text(), "1, 3, 5, 7, 9, 11, 13, 15, 17, 19, ...");
+}
+
 TEST(Schedule, HandsOutEveryUnitOnceInTurns) {
   Schedule schedule(plan_of({4, 7}), {SeedSet(), SeedSet()});
   EXPECT_EQ(schedule.left(), 8U);

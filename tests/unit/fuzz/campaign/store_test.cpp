@@ -182,6 +182,23 @@ TEST_F(Databases, AreMergedWithEqualUnitsOnce) {
   EXPECT_THROW(merge(a, {file("a")}), FileError);
 }
 
+/// A run goes on after a copy was made.
+TEST_F(Databases, RunsKeepTheLongerTimeInEitherOrder) {
+  Store older(file("older"), Open::create);
+  Store later(file("later"), Open::create);
+  RunInfo run = run_of("t", "b");
+  run.seconds = 3;
+  older.put_run(run);
+  run.seconds = 5;
+  later.put_run(run);
+  for (const auto& order : {std::vector{file("older"), file("later")}, {file("later"), file("older")}}) {
+    Store both(file(order[0] == file("older") ? "c" : "d"), Open::create);
+    merge(both, order);
+    ASSERT_EQ(both.runs().size(), 1U);
+    EXPECT_EQ(both.runs().begin()->second.seconds, 5);
+  }
+}
+
 TEST_F(Databases, ThatContradictEachOtherAreNotMerged) {
   Store a(file("a"), Open::create);
   Store b(file("b"), Open::create);
