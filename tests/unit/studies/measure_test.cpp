@@ -128,6 +128,22 @@ TEST(Measure, ErrorsAgreeWithAHigherPrecision) {
   EXPECT_GT(m.units, 0);
 }
 
+/// d_1 = d_0 (M - u_1) / (M - u_0) for c = 0 is 41 / 41, and 41 times the float nearest to 1/41 is 1 - 2^-24: half a
+/// unit in the last place of 1, one of the numbers below 1.
+TEST(Measure, UnitsInTheLastPlaceOfAPowerOfTwo) {
+  Case in;
+  in.knots = {0, 40};
+  in.c = in.e = {FloatPoint{0, 0, 0}, FloatPoint{0, 0, 0}};
+  in.weights = in.e_weights = {1, 1};
+  in.lambda = -1;
+  in.m = 41;
+  in.anchors.fill({41, 0, 0});
+  const std::vector<Measurement> list = measure_case(in, {"FJ07.14"}, {"float"});
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list.front().ulps, 0.5);
+  EXPECT_EQ(list.front().units, 1.0 / 41);
+}
+
 /// The condition number is what moving the inputs one by one does.
 TEST(Measure, ConditionIsWhatPerturbationsDo) {
   const Case in = some_case(13, 2);
