@@ -197,37 +197,15 @@ struct Bend {
   double degrees;
 };
 
-std::array<Rational, 3> value_at(const std::array<Polynomial<Rational>, 3>& f, const Rational& tau) {
-  return {f[0](tau), f[1](tau), f[2](tau)};
-}
-
-/// The vector over its largest coordinate in absolute value.
-std::array<Rational, 3> scaled(std::array<Rational, 3> a) {
-  Rational largest(0);
-  for (const Rational& x : a) largest = std::max({largest, x, -x});
-  for (Rational& x : a) x /= largest;
-  return a;
-}
-
-/// The strip with signs as they are in the last or the first part of its piece.
-StripForms<Rational> oriented_at(const PieceStrip& strip, bool end) {
-  const Rational from = end && !strip.breaks.empty() ? strip.breaks.back().upper : Rational(0);
-  const Rational to = end || strip.breaks.empty() ? Rational(1) : strip.breaks.front().lower;
-  return oriented(strip.forms, (from + to) / Rational(2));
-}
-
 std::vector<Bend> bends_of(const std::vector<PieceStrip>& strips) {
   std::vector<Bend> bends;
   for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
-    const StripForms<Rational> left = oriented_at(strips[i], true);
-    const StripForms<Rational> right = oriented_at(strips[i + 1], false);
-    const auto m = scaled(value_at(left.normal, Rational(1)));
-    const auto n = scaled(value_at(right.normal, Rational(0)));
-    const auto axis = cross(m, n);
-    const double cosine = dot(m, n).to_double();
+    const Joint joint = joint_of(strips[i], strips[i + 1]);
+    const auto axis = cross(joint.before, joint.after);
+    const double cosine = dot(joint.before, joint.after).to_double();
     const double sine = std::sqrt(dot(axis, axis).to_double());
-    if (dot(axis, axis).sign() == 0 && cosine > 0) continue;
-    const int side = dot(axis, value_at(left.ruling, Rational(1))).sign();
+    if (dot(axis, axis).sign() == 0) continue;
+    const int side = dot(axis, joint.ruling).sign();
     const double degrees = std::atan2(sine, cosine) * 180 / std::numbers::pi;
     bends.push_back({strips[i].end, side > 0 ? -degrees : degrees});
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "torse/algebra/triple.hpp"
 #include "torse/exact/decide/rootless.hpp"
 
 namespace torse {
@@ -125,7 +126,35 @@ std::vector<SingularSet> obstacles_of(const PieceStrip& strip, bool first, bool 
   return found.take();
 }
 
+std::array<Q, 3> value_at(const std::array<Poly, 3>& f, const Q& tau) { return {f[0](tau), f[1](tau), f[2](tau)}; }
+
+/// The vector over its largest coordinate in absolute value.
+std::array<Q, 3> scaled(std::array<Q, 3> a) {
+  Q largest(0);
+  for (const Q& x : a) largest = std::max({largest, x, -x});
+  for (Q& x : a) x /= largest;
+  return a;
+}
+
+/// The strip with signs as they are in the last or the first part of its piece.
+StripForms<Q> oriented_at(const PieceStrip& strip, bool end) {
+  const Q from = end && !strip.breaks.empty() ? strip.breaks.back().upper : Q(0);
+  const Q to = end || strip.breaks.empty() ? Q(1) : strip.breaks.front().lower;
+  return oriented(strip.forms, (from + to) / Q(2));
+}
+
+bool opposite(const Joint& joint) {
+  const auto axis = cross(joint.before, joint.after);
+  return dot(axis, axis).sign() == 0 && dot(joint.before, joint.after).sign() < 0;
+}
+
 }  // namespace
+
+Joint joint_of(const PieceStrip& left, const PieceStrip& right) {
+  const StripForms<Q> before = oriented_at(left, true);
+  return {scaled(value_at(before.normal, Q(1))), scaled(value_at(oriented_at(right, false).normal, Q(0))),
+          value_at(before.ruling, Q(1))};
+}
 
 std::vector<PieceStrip> piece_strips(const KnotList<Q>& u, std::span<const Vec<Q, 4>> p, std::span<const Vec<Q, 4>> q) {
   std::vector<PieceStrip> strips;
@@ -144,6 +173,11 @@ std::vector<SingularSet> find_obstacles(const std::vector<PieceStrip>& strips) {
   std::vector<SingularSet> sets;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     for (SingularSet& set : obstacles_of(strips[i], i == 0, i + 1 == strips.size())) sets.push_back(std::move(set));
+  }
+  if (!sets.empty()) return sets;
+  for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
+    const SingularSet::Bound knot{{strips[i].end, strips[i].end}};
+    if (opposite(joint_of(strips[i], strips[i + 1]))) sets.push_back({Singularity::stationary, knot, knot});
   }
   return sets;
 }

@@ -44,6 +44,26 @@ TEST(Obstacles, AreNamedWithTheirParameters) {
   EXPECT_THAT(find_obstacles(tangent_surface().strips()), SizeIs(0));
 }
 
+/// A wall that comes back on its own way, at rest where it turns or not; one that turns by a right angle goes on.
+TEST(Obstacles, ASheetThatTurnsBackAtAKnot) {
+  const auto wall = [](const KnotList<Q>& u, std::vector<std::array<double, 3>> c) {
+    std::vector<std::array<double, 3>> d = c;
+    for (auto& x : d) x[1] += 1;
+    return find_obstacles(Surface{u, rows(c), rows(d)}.strips());
+  };
+  const KnotList<Q> corner(1, {Q(0), Q(1), Q(3)});
+  const KnotList<Q> smooth(2, {Q(0), Q(0), Q(1), Q(2), Q(2)});
+  const auto back = wall(corner, {{0, 0, 0}, {1, 0, 2}, {0, 0, 0}});
+  ASSERT_THAT(back, SizeIs(1));
+  EXPECT_EQ(back[0].reason, Singularity::stationary);
+  EXPECT_EQ(back[0].from.root.lower, Q(1));
+  EXPECT_EQ(back[0].to.root.upper, Q(1));
+  ASSERT_THAT(wall(smooth, {{0, 0, 0}, {1, 0, 2}, {1, 0, 2}, {0, 0, 0}}), SizeIs(1));
+  EXPECT_THAT(wall(corner, {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}}), SizeIs(0));
+  EXPECT_THAT(wall(smooth, {{0, 0, 0}, {1, 0, 1}, {1, 0, 1}, {2, 0, 0}}), SizeIs(0));
+  EXPECT_THAT(wall(corner, {{0, 0, 0}, {1, 0, 2}, {2, 0, 4}}), SizeIs(0));
+}
+
 /// Two triangles at a common corner. A ruling of length zero at either end of the surface is none.
 TEST(Obstacles, ARulingOfLengthZeroAtAKnotInside) {
   const KnotList<Q> u(1, {Q(0), Q(1), Q(2)});
