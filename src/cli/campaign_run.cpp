@@ -121,6 +121,14 @@ std::function<void(const fuzz::Advance&)> progress_line(bool shown) {
   };
 }
 
+/// Stopped before anything was stored.
+bool nothing_judged(const Results& results) { return !results.ran.complete && results.stored == 0; }
+
+int exit_code_of(const Results& results) {
+  if (results.failed()) return exit_code::refuted;
+  return nothing_judged(results) ? exit_code::undecided : exit_code::success;
+}
+
 std::string closing_line(const Results& results, const RunOptions& options, const fuzz::Plan& plan) {
   std::uint64_t cases = 0;
   std::uint64_t failed = 0;
@@ -136,6 +144,7 @@ std::string closing_line(const Results& results, const RunOptions& options, cons
   line += fmt::format(" ({} effort, seeds {}; {} cases in this run, {:.1f} s)\n", options.effort, plan.seeds.text(),
                       results.ran.advance.cases, results.ran.seconds);
   if (!results.ran.complete) line += "stopped by --minutes: the same command goes on from here\n";
+  if (nothing_judged(results)) line += "nothing was judged: no unit began in this time\n";
   return line;
 }
 
@@ -154,7 +163,7 @@ Json json_of(const Results& results, const RunOptions& options, const fuzz::Plan
 int report(const Results& results, const RunOptions& options, const fuzz::Plan& plan) {
   CaseFiles files{options.database, options.database + ".cases"};
   write_cases(results.reports, files, files_of_a_run);
-  const int code = results.failed() ? exit_code::refuted : exit_code::success;
+  const int code = exit_code_of(results);
   write_json(options.reports.json, json_of(results, options, plan, files));
   write_case_reports(options.reports, cases_of(results.reports, files));
   if (options.reports.use_stdout()) return code;

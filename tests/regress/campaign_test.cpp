@@ -144,6 +144,16 @@ TEST_F(Campaign, ATimeLimitIsNoFailure) {
   EXPECT_THAT(run(words).out, HasSubstr("stopped by --minutes"));
 }
 
+TEST_F(Campaign, NothingJudgedIsNoSuccess) {
+  std::vector<std::string> words = runs_.run("a", "1..", "1");
+  words.insert(words.end(), {"--minutes", "0"});
+  const ProgramResult none = run(words);
+  EXPECT_EQ(none.exit, 3);
+  EXPECT_THAT(none.out, HasSubstr("nothing was judged"));
+  ASSERT_EQ(run(runs_.run("a", "1", "1")).exit, 0);
+  EXPECT_EQ(run(words).exit, 0);
+}
+
 TEST_F(Campaign, ReportsSayWhatWasCovered) {
   std::vector<std::string> words = runs_.run("a", "1..40", "2");
   words.insert(words.end(), {"--json", runs_.file("json"), "--junit", runs_.file("junit")});
