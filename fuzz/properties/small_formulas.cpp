@@ -161,6 +161,19 @@ plain::PolyRow<4> minus(plain::PolyRow<4> x, const Poly& factor, const plain::Po
   return x;
 }
 
+/// a = b' is a cone; a that differs from b' at all but one end of [0, 1] is none.
+void check_cone_equation(const Bernstein<Q>& b, const Q& difference) {
+  if (b.degree() == 0) return;
+  const std::vector<Q> a = b.derivative().elevated(1).coefficients();
+  require(definitely(is_cone_equation<Q>({Bernstein<Q>(a), b})), "a cone's equation is not known as such");
+  if (difference.sign() == 0) return;
+  for (const std::size_t end : {std::size_t{0}, a.size() - 1}) {
+    std::vector<Q> moved = a;
+    moved[end] += difference;
+    require(!possibly(is_cone_equation<Q>({Bernstein<Q>(moved), b})), "an equation that is no cone's is taken for one");
+  }
+}
+
 /// The equation of the affine net, its edge and, where it is a cone, its vertex.
 void check_directrix(const In& in, Labels& labels) {
   const int n = in.knots.degree();
@@ -169,6 +182,7 @@ void check_directrix(const In& in, Labels& labels) {
   const Bernstein<Q> f(in.polynomial);
   require(is_zero_row(minus(bezier_row(times_polynomial<Q, Row4>(f, p)), polynomial_of(f), bezier_row(p))),
           "the rows of a product are others");
+  check_cone_equation(f, in.x);
   if (in.x == Q(1)) return;
   const DirectrixEquation<Q> equation = aumann_equation(n, in.x, in.y);
   const std::vector<Row4> d = affine_net<Q, Row4>(p, in.x, in.y, weighted(Q(1), in.d0));
