@@ -114,13 +114,34 @@ void check_refused(const In& in, const Mapping<Q>& sigma) {
   }
 }
 
+/// A knot of the second rail that is passed between those of the mapping, before or behind the middle, is told.
+void check_passed_between(const In& in, const Mapping<Q>& sigma) {
+  const plain::Pieces<1> map = plain::pieces_of<1>(sigma.knots, sigma.control);
+  const std::size_t j = map.rows.size() / 2;
+  for (const int quarter : {1, 3}) {
+    const Q t = map.breaks[j] + ratio<Q>(quarter, 4) * (map.breaks[j + 1] - map.breaks[j]);
+    const Q value = plain::value_at<1>(map.rows[j], t)[0];
+    const std::vector<Q> known = plain::breaks_of(in.d.knots);
+    const bool level = plain::value_at<1>(map.rows[j], map.breaks[j])[0] == value;
+    if (level || std::ranges::count(known, value) > 0 || std::ranges::count(plain::breaks_of(in.c.knots), t) > 0)
+      continue;
+    std::string reason;
+    try {
+      quasi_surface(as_spline(in.c), insert_knot(as_spline(in.d), value), sigma);
+    } catch (const InvalidInput& error) {
+      reason = error.what();
+    }
+    require(reason.starts_with("sigma: expected its knots where it passes"), "a knot that is passed is not told");
+  }
+}
+
 }  // namespace
 
 const PropertyInfo& MappedRails::info() {
   static const PropertyInfo info{
       "rails.mapped",
       "the ruled surface over a mapping is its rails exactly, snapping does what it says, and a mapping beyond the "
-      "second rail is refused",
+      "second rail or past its knots is refused",
       1,
       {"level=yes", "level=no", "passed=none", "passed=some"}};
   return info;
@@ -162,6 +183,7 @@ void MappedRails::check(const In& in, Labels& labels) {
     check_snapped(sigma, result, in.d.knots);
     check_surface(in, result.sigma);
     check_refused(in, result.sigma);
+    check_passed_between(in, result.sigma);
   } catch (const Undecided&) {
     labels.add("passed", "undecided");
   }
