@@ -64,7 +64,6 @@ BinaryForm<Rational> quotient(Polynomial& f, Polynomial& g, int degree) {
 }  // namespace
 
 VectorWithZeros without_common_zeros(const FormVector<Rational>& v) {
-  constexpr int root_bits = 40;
   const int degree = v[0].degree();
   std::array<Polynomial, 3> f{Polynomial(v[0]), Polynomial(v[1]), Polynomial(v[2])};
   const int most = std::max({f[0].degree(), f[1].degree(), f[2].degree()});
@@ -72,16 +71,21 @@ VectorWithZeros without_common_zeros(const FormVector<Rational>& v) {
   Polynomial common;
   for (Polynomial& component : f) fmpq_poly_gcd(common.get(), common.get(), component.get());
 
-  VectorWithZeros result;
+  VectorWithZeros result{{}, BinaryForm<Rational>(common.coefficients(degree - most + common.degree()))};
   for (std::size_t j = 0; j < 3; ++j) result.direction[j] = quotient(f[j], common, most - common.degree());
-  if (common.degree() > 0) {
-    for (const RealRoot& x : real_roots(common.coefficients(common.degree()), root_bits)) {
-      const auto parameter = [](const Rational& r) { return r / (Rational(1) + r); };
-      if (x.lower.sign() >= 0) result.zeros.push_back({parameter(x.lower), parameter(x.upper)});
-    }
-  }
-  if (most < degree) result.zeros.push_back({Rational(1), Rational(1)});
   return result;
+}
+
+std::vector<RealRoot> zeros_in_unit_interval(const BinaryForm<Rational>& form) {
+  constexpr int root_bits = 40;
+  Polynomial f(form);
+  std::vector<RealRoot> zeros;
+  for (const RealRoot& x : real_roots(f.coefficients(f.degree()), root_bits)) {
+    const auto parameter = [](const Rational& r) { return r / (Rational(1) + r); };
+    if (x.lower.sign() >= 0) zeros.push_back({parameter(x.lower), parameter(x.upper)});
+  }
+  if (f.degree() < form.degree()) zeros.push_back({Rational(1), Rational(1)});
+  return zeros;
 }
 
 SineForms<Rational> in_lowest_terms(const SineForms<Rational>& forms) {

@@ -1,5 +1,6 @@
 // The common zeros of three polynomials, and what is left without them.
 //   VectorWithZeros, without_common_zeros      a vector of forms divided by its greatest common divisor
+//   zeros_in_unit_interval                     where a form vanishes
 //   in_lowest_terms                            the same of a quotient
 #pragma once
 
@@ -14,11 +15,14 @@ namespace torse {
 /// A vector of forms that vanishes nowhere, for no complex parameter.
 struct VectorWithZeros {
   FormVector<Rational> direction;
-  std::vector<RealRoot> zeros;  ///< the parameters t of [0, 1] (s = 1 - t) where the original vector vanished, in order
+  BinaryForm<Rational> divisor;  ///< what it was divided by: its zeros are those of the original vector
 };
 
 /// Divides by the greatest common divisor. Throws InvalidInput naming "vector" for the zero vector.
 VectorWithZeros without_common_zeros(const FormVector<Rational>& v);
+
+/// The parameters t of [0, 1] (s = 1 - t) where the form vanishes, in order, each once. The form is not zero.
+std::vector<RealRoot> zeros_in_unit_interval(const BinaryForm<Rational>& form);
 
 /// The same quotient without common factors of its forms. The denominator has no real zero, so that no factor has one
 /// either, and stays positive where it was. Close complex zeros of both forms would keep the bounds of a search high

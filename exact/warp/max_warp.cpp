@@ -223,8 +223,8 @@ class WarpRun {
       const auto [first, second] = normal_forms(ruling);
       const VectorWithZeros m = without_common_zeros(first);
       const VectorWithZeros n = without_common_zeros(second);
-      for (const auto* zeros : {&m.zeros, &n.zeros}) {
-        for (const RealRoot& t : *zeros) exclusions_.push_back({k, parameter(k, t.lower), parameter(k, t.upper)});
+      for (const RealRoot& t : zeros_in_unit_interval(m.divisor * n.divisor)) {
+        exclusions_.push_back({k, parameter(k, t.lower), parameter(k, t.upper)});
       }
       forms.push_back(in_lowest_terms(sine_forms(with_integers(m.direction), with_integers(n.direction))));
     }

@@ -42,7 +42,7 @@ struct WarpEnclosure {
   double upper = 0;
   int piece = 0;                          ///< where the angle reaches `lower`; 0 for a developable surface
   Rational parameter;                     ///< the knot list's parameter there
-  std::vector<WarpExclusion> exclusions;  ///< all of them, unless every piece they are on is developable
+  std::vector<WarpExclusion> exclusions;  ///< each of them once, unless every piece they are on is developable
   WarpStage stage = WarpStage::rounded;   ///< the last one that was needed
   long intervals = 0;                     ///< sub-intervals looked at
   bool complete = true;  ///< the ends agree to the tolerance, or to 2^-1022; false where the budget ran out

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "torse/algebra/polynomial.hpp"
 #include "torse/cli/command.hpp"
 #include "torse/cli/construct_methods.hpp"
 #include "torse/cli/effort.hpp"
@@ -73,6 +74,33 @@ std::vector<RealRoot> find_branches(const ConstructFile<Q>& input) {
 
 Q branch_value(const RealRoot& root) { return (root.lower + root.upper) / Q(2); }
 
+/// Whether f vanishes at this root of a polynomial g, too. An irrational root is the only one of g in its interval, so
+/// that a common divisor, its roots taken once, changes its sign there or has none.
+bool also_root(const RealRoot& root, const Polynomial<Q>& g, const Polynomial<Q>& f) {
+  if (root.rational()) return f(root.lower).sign() == 0;
+  const Polynomial<Q> common = square_free_part(gcd(g, f));
+  return common(root.lower).sign() != common(root.upper).sign();
+}
+
+/// alpha and beta of FJ07.20-21 are 0 at the branch: the ruling at the curve's begin, that at its end has length zero.
+struct Collapsed {
+  bool first;
+  bool last;
+};
+
+Collapsed collapsed(const ConstructFile<Q>& input, const RealRoot& root) {
+  const Point3 normal = cross(*input.va, *input.vb);
+  const std::vector<Point3> chord = chord_polynomial<Q, Point3>(input.knots, input.c.points);
+  const auto along = [&](const Point3& direction) {
+    std::vector<Q> coefficients;
+    for (const Point3& coefficient : chord) coefficients.push_back(dot(coefficient, direction));
+    return Polynomial<Q>(std::move(coefficients));
+  };
+  const Polynomial<Q> branches = along(normal);
+  return {also_root(root, branches, along(cross(*input.vb, normal))),
+          also_root(root, branches, along(cross(normal, *input.va)))};
+}
+
 /// An upper bound, in degrees, of the angle between two lines: x <= (pi/2) sin x, every step rounded up.
 double angle_bound(const Point3& a, const Point3& b) {
   const Point3 normal = cross(a, b);
@@ -112,9 +140,11 @@ Construction skew(const ConstructFile<Q>& input, int branch) {
   if (m == *input.lambda) throw InvalidInput("Lambda", "expected a value other than the branch M*, which gives d = c");
   std::vector<Point3> d = interpolating_net<Q>(input.knots, input.c.points, *input.va, *input.vb, m, *input.lambda);
   const Point3 last = difference(d.back(), input.c.points.back());
-  if (zero(difference(d.front(), input.c.points.front()))) notes.push_back("the first ruling has length zero");
-  if (zero(last)) {
-    notes.push_back("the last ruling has length zero");
+  const Collapsed none = collapsed(input, roots[chosen]);
+  const std::string rounded = roots[chosen].rational() ? "" : ", but for the rounding of M*";
+  if (none.first) notes.push_back("the first ruling has length zero" + rounded);
+  if (none.last) {
+    notes.push_back("the last ruling has length zero" + rounded);
   } else if (const double angle = angle_bound(last, *input.vb); angle > 0) {
     notes.push_back(
         fmt::format("M* is rounded to a rational number: the surface is exactly developable with the first "

@@ -105,20 +105,31 @@ class MeshBuilder {
     flat_.clear();
   }
 
-  /// A bound of the distance of (1-v) c + v d on the strip from the same on the ruling.
+  /// A bound of the distance of the strip's segments from the ruling: it is a convex function, so the corners decide.
   double gap_between(const MeshStrip& strip, const Ruling& ruling) const {
     double most = 0;
     for (const std::size_t end : {0U, 1U}) {
-      most = std::max({most, distance_bound(strip.c[end], ruling.c), distance_bound(strip.d[end], ruling.d)});
+      most = std::max({most, distance_bound(strip.c[end], ruling), distance_bound(strip.d[end], ruling)});
     }
     return most;
   }
 
-  double distance_bound(const MeshVector& x, const MeshVector& y) const {
+  /// A bound of the distance of x from the ruling: that from the point of it which doubles take for the nearest.
+  double distance_bound(const MeshVector& x, const Ruling& ruling) const {
+    double along = 0;
+    double squared = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double w = std::ldexp(ruling.d[j] - ruling.c[j], -exponent_);
+      along += w * std::ldexp(x[j] - ruling.c[j], -exponent_);
+      squared += w * w;
+    }
+    const double v = along > 0 ? std::min(along / squared, 1.0) : 0;
     Vec<Interval, 3> e;
     for (std::size_t j = 0; j < 3; ++j) {
-      e[static_cast<int>(j)] =
-          Interval::point(std::ldexp(x[j], -exponent_)) - Interval::point(std::ldexp(y[j], -exponent_));
+      const auto scaled = [&](const MeshVector& y) { return Interval::point(std::ldexp(y[j], -exponent_)); };
+      const Interval share = Interval::point(v);
+      const Interval rest = Interval::point(1) - share;
+      e[static_cast<int>(j)] = scaled(x) - (rest * scaled(ruling.c) + share * scaled(ruling.d));
     }
     return std::ldexp(norm_bound(e).upper(), exponent_);
   }

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <regex>
+#include <string>
 
 #include "support/program.hpp"
 #include "torse/developable/condition.hpp"
@@ -163,6 +165,32 @@ TEST_F(Construct, AnIrrationalBranchIsExactlyDevelopable) {
   EXPECT_FALSE(parallel(last, Point3(Q(0), Q(1), Q(0))));
   EXPECT_LT((last[0] * last[0] + last[2] * last[2]) * Q(1'000'000'000) * Q(1'000'000'000) * Q(1'000'000'000),
             last[1] * last[1]);
+}
+
+/// On one piece the differences of the points are the coefficients of F in M^i (M-1)^(4-i). Those of z are
+/// (a^2 - 5ab + b^2)(a^2 - 7ab + b^2), whose four roots M/(M-1) are irrational, those of the other coordinate
+/// (a^2 - 5ab + b^2)(a^2 + b^2): it vanishes at the first and the last branch, and with it one end's ruling.
+TEST_F(Construct, ARulingOfLengthZeroOfAnIrrationalBranchIsTold) {
+  const std::array<int, 6> z{0, 1, -11, 26, 14, 15}, common{0, 1, -4, -2, -7, -6}, other{0, 1, 2, 5, 6, 9};
+  for (const bool first : {true, false}) {
+    json points = json::array();
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      points.push_back({first ? common[i] : other[i], first ? other[i] : common[i], z[i]});
+    }
+    const json input =
+        input_of("interpolate",
+                 {{"degree", 5}, {"c", {{"points", points}}}, {"va", {1, 0, 0}}, {"vb", {0, 1, 0}}, {"Lambda", 5}});
+    for (int branch = 1; branch <= 4; ++branch) {
+      const ProgramResult result = run(input, {"--branch", std::to_string(branch)});
+      ASSERT_EQ(result.exit, 0) << result.err;
+      EXPECT_THAT(result.out, HasSubstr("branch 4: M* = 1.26376261582597"));
+      const bool zero = branch == 1 || branch == 4;
+      const auto told = [&](const char* words) { return result.out.find(words) != std::string::npos; };
+      EXPECT_EQ(told("the first ruling has length zero, but for the rounding of M*"), zero && first) << branch;
+      EXPECT_EQ(told("the last ruling has length zero, but for the rounding of M*"), zero && !first) << branch;
+      EXPECT_EQ(told("the last ruling is off vb by at most"), !(zero && !first)) << branch;
+    }
+  }
 }
 
 /// Over the knots 0, r, 2, 3 the heights 0, D_0, D_0 + D_1, 1 with D_0 = -1/3, D_2 = 7 / (9 - 3r) and

@@ -2,9 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "support/program.hpp"
 
@@ -108,6 +112,34 @@ TEST_F(Convert, APieceThatSweepsNoSurfaceIsNamed) {
     EXPECT_THAT(result.err, HasSubstr("points: sweep no surface in piece 2 farther than the tolerance from the rest"));
     EXPECT_FALSE(std::filesystem::exists(out(name)));
   }
+}
+
+/// A cone over (0, 0, 0), which is where its other rail begins: rulings there are short, but sweep a surface. The rail
+/// (t, t^2, 0) bounds 1/6 with its chord.
+TEST_F(Convert, ARailMayBeginAtTheVertex) {
+  const std::string fan = R"({"torse": 1, "type": "ruled", "degree": 2,
+    "c": {"points": [[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]}, "d": {"points": [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}})";
+  for (const char* name : {"a.obj", "a.stl", "a.glb"}) {
+    EXPECT_EQ(run_program({"convert", input(fan), "-o", out(name), "--unit", "m", "--tolerance", "1/1000"}).exit, 0);
+  }
+  std::istringstream lines(slurp(scratch / "a.obj"));
+  std::vector<std::array<double, 3>> points;
+  double area = 0;
+  for (std::string word; lines >> word;) {
+    if (word == "v") {
+      std::array<double, 3>& point = points.emplace_back();
+      lines >> point[0] >> point[1] >> point[2];
+    } else if (word == "f") {
+      std::array<std::array<double, 3>, 3> corner;
+      for (std::array<double, 3>& place : corner) {
+        lines >> word;
+        place = points.at(std::stoul(word) - 1);
+      }
+      const auto [a, b, c] = corner;
+      area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    }
+  }
+  EXPECT_NEAR(std::abs(area), 1.0 / 6.0, 1e-3);
 }
 
 TEST_F(Convert, ErrorsLeaveTheOldFile) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace torse {
@@ -159,6 +160,30 @@ TEST(MeshTriangles, WhatHasNoneIsAsFarAsItIsFromThem) {
     expect({before, first}, 3.25, 1);
     first.deviation = 0;
     EXPECT_TRUE(std::isinf(mesh_of_strips(arcs, {first}).deviation));
+  }
+}
+
+/// A triangle between rails of which one is its other one's beginning: c from (0, 0, 0) over (1, 2, 2) to (3, 2, 2), d
+/// at (0, 0, 0). The first strip is the first ruling of the second one, on it from end to end.
+TEST(MeshTriangles, AStripAlongARulingIsWithIt) {
+  const MeshVector o{0, 0, 0}, a{1, 2, 2}, b{3, 2, 2};
+  const MeshStrip first{.piece = 0, .c = {o, a}, .d = {o, o}, .deviation = 0.25};
+  const MeshStrip second{.piece = 0, .c = {a, b}, .d = {o, o}, .deviation = 0.125};
+  const RuledArcs arcs{{RuledPiece{}}, 0};
+  EXPECT_EQ(mesh_of_strips(arcs, {first, second}).deviation, 0.25);
+  const MeshStrip last{.piece = 0, .c = {o, o}, .d = {a, o}, .deviation = 0.25};
+  EXPECT_EQ(mesh_of_strips(arcs, {{.piece = 0, .c = {o, o}, .d = {b, a}}, last}).deviation, 0.25);
+}
+
+/// Lines from the ruling between (4, 0, 0) and (0, 0, 0): 2 from it above its inside, 5 beyond either end.
+TEST(MeshTriangles, TheDistanceIsThatFromTheRuling) {
+  const MeshVector o{0, 0, 0}, a{4, 0, 0};
+  const MeshStrip before{.piece = 0, .c = {{{4, 4, 0}, a}}, .d = {o, o}};
+  for (const auto& [to, distance] : {std::pair{MeshVector{1, 2, 0}, 2.0}, {{8, 3, 0}, 5.0}, {{-3, 0, 4}, 5.0}}) {
+    const MeshStrip line{.piece = 1, .c = {a, to}, .d = {a, to}};
+    const double found = mesh_of_strips({{RuledPiece{}, RuledPiece{}}, 3}, {before, line}).deviation;
+    EXPECT_NEAR(found, distance, 1e-12);
+    EXPECT_GE(found, distance);
   }
 }
 

@@ -62,12 +62,26 @@ TEST(Angle, NoneIsMoreThanRight) {
 TEST(CommonZeros, AreFoundAtBothEnds) {
   const auto form = [](int a, int b, int c, int d) { return BinaryForm<Q>(std::vector<Q>{Q(a), Q(b), Q(c), Q(d)}); };
   const VectorWithZeros found = without_common_zeros({form(0, 1, 0, 0), form(0, 0, 1, 0), form(0, 1, 1, 0)});
-  ASSERT_EQ(found.zeros.size(), 2U);
-  EXPECT_EQ(found.zeros[0].lower, Q(0));
-  EXPECT_EQ(found.zeros[0].upper, Q(0));
-  EXPECT_EQ(found.zeros[1].lower, Q(1));
-  EXPECT_EQ(found.zeros[1].upper, Q(1));
+  const std::vector<RealRoot> zeros = zeros_in_unit_interval(found.divisor);
+  ASSERT_EQ(zeros.size(), 2U);
+  EXPECT_EQ(zeros[0].lower, Q(0));
+  EXPECT_EQ(zeros[0].upper, Q(0));
+  EXPECT_EQ(zeros[1].lower, Q(1));
+  EXPECT_EQ(zeros[1].upper, Q(1));
   EXPECT_EQ(found.direction[0].degree(), 1);
+}
+
+/// 2t^2 - (s + t)^2 and that times 3t - (s + t), which have 1/sqrt(2) in common, and both vanish once more at s = 0.
+TEST(CommonZeros, OfAProductAreTakenOnce) {
+  const BinaryForm<Q> first =
+      BinaryForm<Q>(std::vector<Q>{Q(-1), Q(-2), Q(1)}) * BinaryForm<Q>(std::vector<Q>{Q(1), Q(0)});
+  const BinaryForm<Q> second = first * BinaryForm<Q>(std::vector<Q>{Q(-1), Q(2)});
+  const std::vector<RealRoot> zeros = zeros_in_unit_interval(first * second);
+  ASSERT_EQ(zeros.size(), 3U);
+  EXPECT_EQ(zeros[0].lower, Q(1) / Q(3));
+  EXPECT_LT(Q(2) * zeros[1].lower * zeros[1].lower, Q(1));
+  EXPECT_GT(Q(2) * zeros[1].upper * zeros[1].upper, Q(1));
+  EXPECT_EQ(zeros[2].upper, Q(1));
 }
 
 /// s^2 and t^2: whichever component has the highest power of t, nothing of it is lost.
@@ -78,7 +92,7 @@ TEST(CommonZeros, OfNoneIsTheVectorItself) {
     FormVector<Q> v{low, low, low};
     v[place] = high;
     const VectorWithZeros found = without_common_zeros(v);
-    EXPECT_TRUE(found.zeros.empty());
+    EXPECT_TRUE(zeros_in_unit_interval(found.divisor).empty());
     for (std::size_t i = 0; i < 3; ++i) {
       ASSERT_EQ(found.direction[i].degree(), 2);
       for (int j = 0; j <= 2; ++j) EXPECT_EQ(found.direction[i][j], v[i][j]);
@@ -153,12 +167,13 @@ TEST(Search, ErrorsThatKeepABoundHigh) {
 TEST(CommonFactor, OfConstantVectors) {
   const auto form = [](std::vector<Q> a) { return BinaryForm<Q>(std::move(a)); };
   const VectorWithZeros constant = without_common_zeros({form({Q(2)}), form({Q(0)}), form({Q(-6)})});
-  EXPECT_TRUE(constant.zeros.empty());
+  EXPECT_TRUE(zeros_in_unit_interval(constant.divisor).empty());
   const VectorWithZeros twice = without_common_zeros(
       {form({Q(2), Q(0), Q(0)}), form({Q(0), Q(0), Q(0)}), form({Q(-6), Q(0), Q(0)})});  // s^2 (2, 0, -6)
-  ASSERT_EQ(twice.zeros.size(), 1U);
-  EXPECT_EQ(twice.zeros[0].lower, Q(1));
-  EXPECT_EQ(twice.zeros[0].upper, Q(1));
+  const std::vector<RealRoot> zeros = zeros_in_unit_interval(twice.divisor);
+  ASSERT_EQ(zeros.size(), 1U);
+  EXPECT_EQ(zeros[0].lower, Q(1));
+  EXPECT_EQ(zeros[0].upper, Q(1));
   for (const VectorWithZeros* x : {&constant, &twice}) {
     for (const BinaryForm<Q>& f : x->direction) EXPECT_EQ(f.degree(), 0);
     EXPECT_EQ(x->direction[2][0], Q(-3) * x->direction[0][0]);
@@ -199,7 +214,8 @@ TEST(WarpExclusions, BelongToTheirPieces) {
     d.emplace_back(Q(i) * half, y, z);
   }
   const WarpEnclosure warp = max_warp<Q, 3>(u, c, d, {});
-  ASSERT_EQ(warp.exclusions.size(), 4U);  // both normals
+  ASSERT_EQ(warp.exclusions.size(), 2U);
+  EXPECT_LT(warp.exclusions[0].piece, warp.exclusions[1].piece);
   for (const WarpExclusion& at : warp.exclusions) {
     EXPECT_EQ(at.lower, Q(at.piece) * half);
     EXPECT_EQ(at.upper, Q(at.piece) * half);
