@@ -67,6 +67,13 @@ void require_distinct(const NamedFile& a, const NamedFile& b) {
 
 }  // namespace
 
+void take_one_file_each(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (written(*option)) option->allow_extra_args(false);
+  }
+  for (CLI::App* sub : app.get_subcommands({})) take_one_file_each(*sub);
+}
+
 void require_distinct_files(const CLI::App& app) {
   std::vector<NamedFile> inputs;
   std::vector<NamedFile> outputs;

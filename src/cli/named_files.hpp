@@ -1,10 +1,15 @@
 // The files that a command line names.
+//   take_one_file_each         a word behind an output is no second output
 //   require_distinct_files     none is written twice or written over what is read
 #pragma once
 
 #include <CLI/App.hpp>
 
 namespace torse::cli {
+
+/// Makes every option of this subcommand, and of those below it, that names files to write take one each time it is
+/// given: the parser would take an input behind it for a second output, and the input would be lost.
+void take_one_file_each(CLI::App& app);
 
 /// Throws UsageError where two options of the parsed subcommand name one file to write, or standard output, or where
 /// one names a file that is read. Options whose value is FILE, OUT or PATH in the help name files to write. Two names

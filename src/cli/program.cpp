@@ -140,6 +140,7 @@ int run(std::vector<std::string> words) {
     CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
     actions.emplace_back(sub, command.define(*sub));
     require_whole_numbers(*sub);
+    take_one_file_each(*sub);
   }
   try {
     std::ranges::reverse(words);

@@ -97,6 +97,19 @@ TEST_F(NamedFiles, AreNotWrittenOverWhatIsRead) {
   expect_refused({"campaign", "diff", "@rails.json", "@in.json", "--json", "@in.json"}, "B and --json: ");
 }
 
+/// What stands behind an output and its name is an input, wherever the options stand.
+TEST_F(NamedFiles, BehindAnOutputAreInputs) {
+  EXPECT_EQ(run({"fit", "-o", "@x.json", "@rails.json", "--max-warp", "1"}).exit, 0);
+  EXPECT_EQ(run({"fit", "-o", "@y.json", "--unroll", "@y.svg", "@rails.json", "--json", "@report.json"}).exit, 0);
+  EXPECT_EQ(run({"unroll", "-o", "@x.svg", "-o", "@x.dxf", "@in.json", "--rulings", "3"}).exit, 0);
+  for (const char* name : {"x.json", "y.json", "y.svg", "report.json", "x.svg", "x.dxf"}) {
+    EXPECT_TRUE(fs::exists(scratch_ / name)) << name;
+  }
+  expect_refused({"fit", "@rails.json", "-o", "@a.json", "@in.json"}, "unexpected word " + file("in.json"));
+  expect_refused({"fit", "@rails.json", "-o", "@a.json", "--unroll", "@a.svg", "@in.json"}, "unexpected word ");
+  expect_refused({"unroll", "@in.json", "-o", "@a.svg", "@rails.json"}, "expected one FILE, found 2");
+}
+
 TEST_F(NamedFiles, OnlyOneIsStandardOutput) {
   expect_refused({"check", "@in.json", "--json", "-", "--sarif", "-"},
                  "only one of --json and --sarif can write to standard output");
