@@ -45,15 +45,6 @@ fs::path resolved(const std::string& file) {
   return result.empty() ? path : result;
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  if (a == "-" || b == "-") return a == b;
-  std::error_code ignored;
-  if (fs::exists(a, ignored) && fs::exists(b, ignored)) {
-    return fs::is_regular_file(a, ignored) && fs::equivalent(a, b, ignored);
-  }
-  return resolved(a) == resolved(b);
-}
-
 void require_distinct(const NamedFile& a, const NamedFile& b) {
   if (!same_file(a.file, b.file)) return;
   const std::string options = a.option == b.option ? a.option : a.option + " and " + b.option;
@@ -66,6 +57,15 @@ void require_distinct(const NamedFile& a, const NamedFile& b) {
 }
 
 }  // namespace
+
+bool same_file(const std::string& a, const std::string& b) {
+  if (a == "-" || b == "-") return a == b;
+  std::error_code ignored;
+  if (fs::exists(a, ignored) && fs::exists(b, ignored)) {
+    return fs::is_regular_file(a, ignored) && fs::equivalent(a, b, ignored);
+  }
+  return resolved(a) == resolved(b);
+}
 
 void take_one_file_each(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {

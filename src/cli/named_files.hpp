@@ -1,11 +1,18 @@
 // The files that a command line names.
+//   same_file                  whether two names are one file
 //   take_one_file_each         a word behind an output is no second output
 //   require_distinct_files     none is written twice or written over what is read
 #pragma once
 
 #include <CLI/App.hpp>
 
+#include <string>
+
 namespace torse::cli {
+
+/// Whether two names lead to one file, by whatever folders and links. What is not a regular file (/dev/null) counts as
+/// none.
+bool same_file(const std::string& a, const std::string& b);
 
 /// Makes every option of this subcommand, and of those below it, that names files to write take one each time it is
 /// given: the parser would take an input behind it for a second output, and the input would be lost.

@@ -110,6 +110,16 @@ TEST_F(NamedFiles, BehindAnOutputAreInputs) {
   expect_refused({"unroll", "@in.json", "-o", "@a.svg", "@rails.json"}, "expected one FILE, found 2");
 }
 
+/// A study keeps what is done beside the first of its results and removes that at its end.
+TEST_F(NamedFiles, AreNotWhereAStudyKeepsItsCases) {
+  const std::string kept = ": expected another file than \"" + file("a.part") + '"';
+  expect_refused({"study", "gap", "--json", "@a", "--csv", "@a.part"}, "--csv" + kept);
+  expect_refused({"study", "gap", "--json", "@a", "--svg", "@./a.part"}, "--svg" + kept);
+  EXPECT_EQ(run({"study", "gap", "--effort", "quick", "--json", "@a", "--csv", "@b.part"}).exit, 0);
+  EXPECT_TRUE(fs::exists(scratch_ / "b.part"));
+  EXPECT_FALSE(fs::exists(scratch_ / "a.part"));
+}
+
 TEST_F(NamedFiles, OnlyOneIsStandardOutput) {
   expect_refused({"check", "@in.json", "--json", "-", "--sarif", "-"},
                  "only one of --json and --sarif can write to standard output");
