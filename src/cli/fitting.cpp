@@ -139,8 +139,15 @@ MethodResult run_method(const quasi::Rails& rails, const quasi::FitOptions& opti
   return result;
 }
 
+/// Throws InvalidInput naming "d.knots" where no mapping near the fitted one passes them.
 SnappedMapping exact_mapping(const MethodResult& method, const RailsFile<Rational>& rails) {
-  return snapped(between_domains(method.sigma, rails.c.knots, rails.d.knots), rails.c.knots, rails.d.knots);
+  try {
+    return snapped(between_domains(method.sigma, rails.c.knots, rails.d.knots), rails.c.knots, rails.d.knots);
+  } catch (const Undecided&) {
+    throw InvalidInput("d.knots",
+                       "expected knots further from each other and from the ends: no mapping that increases "
+                       "within the tolerance of the fitted one passes them all");
+  }
 }
 
 CurveFile<Rational> extended_rail(const CurveFile<Rational>& rail, const Rational& share) {
