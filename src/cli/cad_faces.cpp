@@ -77,7 +77,10 @@ void append(const std::string& file, const CadModel& model, const CadFace& face,
   }
   for (std::size_t i = 0; i < face.strips.size(); ++i) {
     Face strip = face_of(file, model, face);
-    if (face.strips.size() > 1) strip.name += fmt::format(" strip {}", i + 1);
+    if (face.strips.size() > 1) {
+      strip.strip = i + 1;
+      strip.name += fmt::format(" strip {}", strip.strip);
+    }
     set_surface(face, face.strips[i], strip);
     faces.push_back(std::move(strip));
   }

@@ -40,6 +40,11 @@ std::string listed(const std::vector<Face>& faces) {
   return text;
 }
 
+/// "3", or "3 strip 2".
+std::string number_text(const Face& face) {
+  return face.strip == 0 ? std::to_string(face.number) : fmt::format("{} strip {}", face.number, face.strip);
+}
+
 }  // namespace
 
 std::string name_of_file(const std::string& file) {
@@ -74,18 +79,22 @@ void set_choices(std::vector<Face>& faces) {
   }
   if (faces.size() == 1) return;
   for (Face& face : faces) {
-    const std::string number = std::to_string(face.number);
+    const std::string number = number_text(face);
     if (numbers[face.number] == 1 && !names.contains(number)) {
       face.choice = number;
     } else if (names[face.name] == 1) {
       face.choice = face.name;
+    } else if (face.strip > 0 && !names.contains(number)) {
+      face.choice = number;
     }
   }
 }
 
 std::vector<Face> chosen(const std::vector<Face>& faces, const std::string& choice) {
   const auto named = [&](const Face& face) { return face.name == printable(choice); };
-  const auto numbered = [&](const Face& face) { return std::to_string(face.number) == choice; };
+  const auto numbered = [&](const Face& face) {
+    return std::to_string(face.number) == choice || number_text(face) == choice;
+  };
   std::vector<Face> list;
   std::ranges::copy_if(faces, std::back_inserter(list), named);
   if (list.empty()) std::ranges::copy_if(faces, std::back_inserter(list), numbered);
