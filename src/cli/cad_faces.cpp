@@ -16,13 +16,6 @@ namespace {
 /// The first line and those of this width after it are an IGES file.
 constexpr std::size_t iges_section_column = 72;
 
-std::string extension_of(const std::string& file) {
-  std::string text = std::filesystem::path(file).extension().string();
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return text;
-}
-
 std::string_view without_blanks(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : bytes.substr(first);

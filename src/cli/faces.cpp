@@ -51,6 +51,13 @@ std::string name_of_file(const std::string& file) {
   return printable(file == "-" ? file : std::filesystem::path(file).stem().string());
 }
 
+std::string extension_of(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
 std::string title_of(const Face& face) {
   return face.of > 1 ? printable(face.file) + ": " + face.name : printable(face.file);
 }

@@ -3,7 +3,7 @@
 //   Face                          a surface with its name, or why it is none
 //   FaceInput, add_face_inputs    the files and the option --face of a subcommand
 //   read_faces                    the faces of a file that were asked for      set_choices, chosen    how
-//   name_of_file, title_of        what they are called       words_of    for a command that shows one again
+//   name_of_file, title_of, extension_of   what they are called       words_of    for a command that shows one again
 #pragma once
 
 #include <CLI/App.hpp>
@@ -63,6 +63,9 @@ void add_face_inputs(CLI::App& app, FaceInput& input, const std::string& what);
 
 /// The name of a file without folder and extension, printable.
 std::string name_of_file(const std::string& file);
+
+/// The extension of a file's name with its dot, in small letters.
+std::string extension_of(const std::string& file);
 
 /// What a person reads before a verdict: the file, with the face's name where it has others.
 std::string title_of(const Face& face);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/faces.hpp"
 #include "torse/cli/html_report.hpp"
 #include "torse/io/text.hpp"
 
@@ -35,6 +36,30 @@ bool read(const CLI::Option& option, const std::string& word) {
   constexpr std::array<std::string_view, 8> options{"FILE", "RAILS", "INPUT", "file", "DB", "A", "B", "--baseline"};
   const std::string name = option.get_name();
   return name == "name" ? word.ends_with(".json") : std::ranges::count(options, name) > 0;
+}
+
+/// Options whose files have one format, with the endings it has.
+struct OneFormat {
+  std::string_view option;
+  std::string_view format;
+  std::string_view usual;
+  std::string_view other{};
+};
+constexpr std::array<OneFormat, 6> one_format{{{"--json", "JSON", ".json"},
+                                               {"--ledger", "JSON", ".json"},
+                                               {"--junit", "JUnit's XML", ".xml"},
+                                               {"--sarif", "SARIF", ".sarif", ".json"},
+                                               {"--csv", "CSV", ".csv"},
+                                               {"--svg", "SVG", ".svg"}}};
+
+/// The endings of all that torse writes.
+constexpr std::array<std::string_view, 15> endings{".json", ".step", ".stp", ".iges", ".igs", ".obj", ".stl",  ".gltf",
+                                                   ".glb",  ".svg",  ".dxf", ".html", ".csv", ".xml", ".sarif"};
+
+void require_fitting_name(const OneFormat& own, const std::string& file) {
+  const std::string ending = extension_of(file);
+  if (ending == own.usual || ending == own.other || std::ranges::count(endings, ending) == 0) return;
+  throw UsageError(fmt::format("{}: expected a name for {}, found {}", own.option, own.format, in_quotes(file)));
 }
 
 /// An absolute name without links as far as it exists.
@@ -72,6 +97,15 @@ void take_one_file_each(CLI::App& app) {
     if (written(*option)) option->allow_extra_args(false);
   }
   for (CLI::App* sub : app.get_subcommands({})) take_one_file_each(*sub);
+}
+
+void require_fitting_names(const CLI::App& app) {
+  for (const OneFormat& own : one_format) {
+    const CLI::Option* option = app.get_option_no_throw(std::string(own.option));
+    if (option == nullptr) continue;
+    for (const std::string& file : option->results()) require_fitting_name(own, file);
+  }
+  for (const CLI::App* used : app.get_subcommands()) require_fitting_names(*used);
 }
 
 void require_distinct_files(const CLI::App& app) {

@@ -151,6 +151,7 @@ int run(std::vector<std::string> words) {
   }
   require_values(app);
   require_distinct_files(app);
+  require_fitting_names(app);
   for (const auto& [sub, action] : actions) {
     if (sub->parsed()) return action();
   }

@@ -144,6 +144,25 @@ TEST_F(NamedFiles, AreNotThoseOfAnotherFormat) {
   }
 }
 
+/// Nor do reports, tables and pictures.
+TEST_F(NamedFiles, AreNotThoseOfAnotherFormatForReports) {
+  for (const char* name : {"@x.step", "@x.IGS", "@x.html", "@x.svg", "@x.csv", "@x.xml", "@x.sarif"}) {
+    expect_refused({"check", "@in.json", "--json", name}, "--json: expected a name for JSON, found \"");
+    expect_refused({"verify", "--claim", "FJ07.5", "--ledger", name}, "--ledger: expected a name for JSON");
+    expect_refused({"campaign", "run", "--db", "@x", "--json", name}, "--json: expected a name for JSON");
+  }
+  for (const char* name : {"@x.stp", "@x.json", "@x.sarif"}) {
+    expect_refused({"check", "@in.json", "--junit", name}, "--junit: expected a name for JUnit's XML, found \"");
+    expect_refused({"study", "gap", "--csv", name}, "--csv: expected a name for CSV");
+    expect_refused({"study", "gap", "--svg", name}, "--svg: expected a name for SVG");
+    expect_refused({"fit", "@rails.json", "-o", "@y.obj", "--svg", name}, "--svg: expected a name for SVG");
+  }
+  expect_refused({"check", "@in.json", "--sarif", "@x.xml"}, "--sarif: expected a name for SARIF, found \"");
+  for (const char* sarif : {"@x.sarif", "@x.sarif.json", "@x", "@x.txt"}) {
+    EXPECT_EQ(run({"check", "@in.json", "--json", "@a.JSON", "--junit", "@a.xml", "--sarif", sarif}).exit, 0) << sarif;
+  }
+}
+
 /// Devices keep nothing; what is called like a file elsewhere is another one; a word that is no file is none.
 TEST_F(NamedFiles, MayBeDevicesAndFilesOfTheSameNameElsewhere) {
   EXPECT_EQ(run({"check", "@in.json", "--json", "/dev/null", "--junit", "/dev/null"}).exit, 0);
