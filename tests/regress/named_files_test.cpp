@@ -120,6 +120,19 @@ TEST_F(NamedFiles, AreNotWhereAStudyKeepsItsCases) {
   EXPECT_FALSE(fs::exists(scratch_ / "a.part"));
 }
 
+/// "[a,b]" is one file, not the list of a and b.
+TEST_F(NamedFiles, MayHaveBrackets) {
+  const fs::path before = fs::current_path();
+  fs::current_path(scratch_.path());
+  spill("[in.json,rails.json]", cylinder);
+  const ProgramResult one = run({"check", "[in.json,rails.json]"});
+  const ProgramResult two = run({"check", "in.json", "[in.json,rails.json]"});
+  fs::current_path(before);
+  EXPECT_EQ(one.exit, 0) << one.err;
+  EXPECT_THAT(one.out, HasSubstr("[in.json,rails.json]  developable"));
+  EXPECT_THAT(two.out, HasSubstr("2 of 2 developable"));
+}
+
 TEST_F(NamedFiles, OnlyOneIsStandardOutput) {
   expect_refused({"check", "@in.json", "--json", "-", "--sarif", "-"},
                  "only one of --json and --sarif can write to standard output");
