@@ -15,7 +15,7 @@ using arb::Complex;
 using arb::Real;
 
 /// A step that is shorter than 2^-deepest of its stretch does not get better.
-constexpr int deepest = 48;
+constexpr int deepest = 300;
 
 /// The chain of stations as it grows.
 class Chain {
@@ -47,8 +47,12 @@ class Chain {
       Station next = stationed(strip, stretch, to, *step);
       if (close(*step, next)) return keep(*step, std::move(next));
     }
-    if (stations_.size() >= most_ || depth == deepest) {
+    if (stations_.size() >= most_) {
       throw InvalidInput("tolerance", "more than " + std::to_string(most_) + " rulings do not reach it");
+    }
+    if (depth == deepest) {
+      throw InvalidInput("tolerance", "rulings however near do not reach it in the piece from " + as_text(strip.begin) +
+                                          " to " + as_text(strip.end));
     }
     const Q middle = (from + to) / Q(2);
     advance(strip, stretch, from, middle, depth + 1);

@@ -110,9 +110,12 @@ class Leader {
     for (const UnitResult& result : results_) {
       const Put put = store_.put_anew(result, number);
       if (put == Put::contradiction) {
-        throw FileError(store_.file(),
-                        unit_name(result.series, result.seed) +
-                            " has come out otherwise before: its property depends on more than the seed");
+        const bool same = store_.build_of(result.series, result.seed) == run_.build;
+        throw FileError(
+            store_.file(),
+            unit_name(result.series, result.seed) +
+                (same ? " has come out otherwise before: its property depends on more than the seed"
+                      : " has come out otherwise under another build of torse meanwhile: give each its own database"));
       }
       next.units += put == Put::added ? 1 : 0;
       next.cases += result.tally.cases;

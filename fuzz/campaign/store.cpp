@@ -174,6 +174,12 @@ UnitResult Store::total(const Series& series, const Seeds& seeds) {
   return total;
 }
 
+std::string Store::build_of(const Series& series, std::uint64_t seed) {
+  Statement rows = database_.prepare("SELECT build FROM unit JOIN run ON run.id = run WHERE series = ? AND seed = ?");
+  rows.bind(find_series(series).value_or(0), number(seed));
+  return rows.step() ? rows.text(0) : "";
+}
+
 std::vector<Failure> Store::failures(const Series& series, const Seeds& seeds) {
   std::vector<Failure> list;
   const auto id = find_series(series);

@@ -65,6 +65,8 @@ class Store {
   SeedSet settled(const Series& series, const Seeds& seeds, const std::string& build);
   /// The sum of the units, without their failures.
   UnitResult total(const Series& series, const Seeds& seeds);
+  /// Of the run whose result for this unit is stored, or empty.
+  std::string build_of(const Series& series, std::uint64_t seed);
   /// By seed and case.
   std::vector<Failure> failures(const Series& series, const Seeds& seeds);
 

@@ -53,6 +53,14 @@ void look_at(const Equations<Box>& equations, Tally& tally) {
   }
 }
 
+/// "2^-40", or "0" where both sides are the same exact number on every box.
+std::string power_text(double width) {
+  if (width == 0) return "0";
+  char text[32];
+  std::snprintf(text, sizeof text, "2^%.0f", std::log2(width));
+  return text;
+}
+
 /// Why they have shown nothing, or nothing.
 std::string why_nothing(const Tally& tally, const Finding& finding) {
   if (finding.sizes.empty()) return no_size;
@@ -103,10 +111,11 @@ Finding judge_ball(const ClaimCase<Box>& claim, const Plan& plan) {
   if (const std::string why = why_nothing(tally, finding); !why.empty()) return gave_up(std::move(finding), why);
   char text[160];
   if (tally.positive + tally.unsure > 0) {
-    std::snprintf(text, sizeof text, "positive on %ld boxes, undecided on %ld; widest difference 2^%.0f",
-                  tally.positive, tally.unsure, std::log2(tally.widest));
+    std::snprintf(text, sizeof text, "positive on %ld boxes, undecided on %ld; widest difference %s", tally.positive,
+                  tally.unsure, power_text(tally.widest).c_str());
   } else {
-    std::snprintf(text, sizeof text, "%ld boxes, widest difference 2^%.0f", finding.trials, std::log2(tally.widest));
+    std::snprintf(text, sizeof text, "%ld boxes, widest difference %s", finding.trials,
+                  power_text(tally.widest).c_str());
   }
   finding.status = Status::bounded;
   finding.detail = text;

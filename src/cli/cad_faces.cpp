@@ -16,13 +16,6 @@ namespace {
 /// The first line and those of this width after it are an IGES file.
 constexpr std::size_t iges_section_column = 72;
 
-std::string extension_of(const std::string& file) {
-  std::string text = std::filesystem::path(file).extension().string();
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return text;
-}
-
 std::string_view without_blanks(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : bytes.substr(first);
@@ -77,7 +70,10 @@ void append(const std::string& file, const CadModel& model, const CadFace& face,
   }
   for (std::size_t i = 0; i < face.strips.size(); ++i) {
     Face strip = face_of(file, model, face);
-    if (face.strips.size() > 1) strip.name += fmt::format(" strip {}", i + 1);
+    if (face.strips.size() > 1) {
+      strip.strip = i + 1;
+      strip.name += fmt::format(" strip {}", strip.strip);
+    }
     set_surface(face, face.strips[i], strip);
     faces.push_back(std::move(strip));
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
@@ -50,13 +49,6 @@ std::string mesh_bytes(const std::vector<NamedMesh>& meshes, OutputFormat format
     default:
       return glb_bytes(meshes);
   }
-}
-
-/// In small letters.
-std::string extension_of(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension;
 }
 
 }  // namespace

@@ -40,10 +40,22 @@ std::string listed(const std::vector<Face>& faces) {
   return text;
 }
 
+/// "3", or "3 strip 2".
+std::string number_text(const Face& face) {
+  return face.strip == 0 ? std::to_string(face.number) : fmt::format("{} strip {}", face.number, face.strip);
+}
+
 }  // namespace
 
 std::string name_of_file(const std::string& file) {
   return printable(file == "-" ? file : std::filesystem::path(file).stem().string());
+}
+
+std::string extension_of(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
 }
 
 std::string title_of(const Face& face) {
@@ -74,18 +86,22 @@ void set_choices(std::vector<Face>& faces) {
   }
   if (faces.size() == 1) return;
   for (Face& face : faces) {
-    const std::string number = std::to_string(face.number);
+    const std::string number = number_text(face);
     if (numbers[face.number] == 1 && !names.contains(number)) {
       face.choice = number;
     } else if (names[face.name] == 1) {
       face.choice = face.name;
+    } else if (face.strip > 0 && !names.contains(number)) {
+      face.choice = number;
     }
   }
 }
 
 std::vector<Face> chosen(const std::vector<Face>& faces, const std::string& choice) {
   const auto named = [&](const Face& face) { return face.name == printable(choice); };
-  const auto numbered = [&](const Face& face) { return std::to_string(face.number) == choice; };
+  const auto numbered = [&](const Face& face) {
+    return std::to_string(face.number) == choice || number_text(face) == choice;
+  };
   std::vector<Face> list;
   std::ranges::copy_if(faces, std::back_inserter(list), named);
   if (list.empty()) std::ranges::copy_if(faces, std::back_inserter(list), numbered);

@@ -3,7 +3,7 @@
 //   Face                          a surface with its name, or why it is none
 //   FaceInput, add_face_inputs    the files and the option --face of a subcommand
 //   read_faces                    the faces of a file that were asked for      set_choices, chosen    how
-//   name_of_file, title_of        what they are called       words_of    for a command that shows one again
+//   name_of_file, title_of, extension_of   what they are called       words_of    for a command that shows one again
 #pragma once
 
 #include <CLI/App.hpp>
@@ -39,6 +39,8 @@ struct Face {
   std::string name;
   /// In the file's order, from 1. The strips of a face of a CAD file have the same.
   std::size_t number = 1;
+  /// Of a face of several strips, which one, from 1; else 0.
+  std::size_t strip = 0;
   /// How many the file has, every strip counted.
   std::size_t of = 1;
   /// What --face takes to choose this one alone; empty where it is the only one, or no name or number tells it from the
@@ -62,6 +64,9 @@ void add_face_inputs(CLI::App& app, FaceInput& input, const std::string& what);
 /// The name of a file without folder and extension, printable.
 std::string name_of_file(const std::string& file);
 
+/// The extension of a file's name with its dot, in small letters.
+std::string extension_of(const std::string& file);
+
 /// What a person reads before a verdict: the file, with the face's name where it has others.
 std::string title_of(const Face& face);
 
@@ -74,7 +79,7 @@ std::vector<std::string> words_of(const Face& face);
 /// Sets how many the faces of a file are and what chooses each.
 void set_choices(std::vector<Face>& faces);
 
-/// Those of the faces that `choice` names, else those that it numbers.
+/// Those of the faces that `choice` names, else those that it numbers: "3", or "3 strip 2" for one of several strips.
 std::vector<Face> chosen(const std::vector<Face>& faces, const std::string& choice);
 
 /// The faces of `file`, or those that `choice` names or numbers. Throws FileError, also where there is none such.

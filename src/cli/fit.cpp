@@ -254,7 +254,7 @@ std::function<int()> define_fit(CLI::App& app) {
       ->type_name("NAME|NUMBER");
   app.add_option("--d", command->input.d, "the second rail")->type_name("NAME|NUMBER");
   app.add_option("-o,--output", command->outputs,
-                 "the ruled surface: .json (- on standard output), .step, .iges, .obj, .stl, .gltf or .glb")
+                 "the ruled surface: .json (- on standard output), .step, .iges, .obj, .stl, .gltf or .glb; repeatable")
       ->required()
       ->type_name("FILE");
   app.add_option("--method", command->method, "warp: ours; paper, discrete: those of BZZ19; same: T = t")
@@ -288,7 +288,7 @@ std::function<int()> define_fit(CLI::App& app) {
                  "draw the strip before and after, the mapping, the warp and the convergence")
       ->type_name("FILE");
   app.add_option("--unroll", command->plates,
-                 "the surface as a flat plate, if its warp is at most 45 degrees: .svg, .dxf or .json")
+                 "the surface as a flat plate, if its warp is at most 45 degrees: .svg, .dxf or .json; repeatable")
       ->type_name("FILE");
   app.add_option("--json", command->json, "write the report as JSON; - is standard output")->type_name("FILE");
   add_html_option(app, command->html);

@@ -8,6 +8,7 @@
 
 #include "torse/cli/effort.hpp"
 #include "torse/cli/judge.hpp"
+#include "torse/cli/rails.hpp"
 #include "torse/cli/seam.hpp"
 #include "torse/exact/quasi/simplify.hpp"
 #include "torse/exact/quasi/snap.hpp"
@@ -139,8 +140,15 @@ MethodResult run_method(const quasi::Rails& rails, const quasi::FitOptions& opti
   return result;
 }
 
+/// Throws InvalidInput naming "d.knots" where no mapping near the fitted one passes them.
 SnappedMapping exact_mapping(const MethodResult& method, const RailsFile<Rational>& rails) {
-  return snapped(between_domains(method.sigma, rails.c.knots, rails.d.knots), rails.c.knots, rails.d.knots);
+  try {
+    return snapped(between_domains(method.sigma, rails.c.knots, rails.d.knots), rails.c.knots, rails.d.knots);
+  } catch (const Undecided&) {
+    throw InvalidInput("d.knots",
+                       "expected knots further from each other and from the ends: no mapping that increases "
+                       "within the tolerance of the fitted one passes them all");
+  }
 }
 
 CurveFile<Rational> extended_rail(const CurveFile<Rational>& rail, const Rational& share) {
@@ -244,24 +252,6 @@ void simplify(FittedStrip& strip, const Within& within) {
   file = {found.surface.knots, {found.surface.c, ones}, {found.surface.d, ones}};
   strip.simplified = {found.distance, exact.knots.degree(), exact.knots.proper_pieces().size(), exact.c.size(),
                       own_warp(file)};
-}
-
-bool one_point(const CurveFile<Rational>& rail) {
-  return std::ranges::all_of(rail.net.points, [&](const auto& x) { return x == rail.net.points.front(); });
-}
-
-bool same_curve(const CurveFile<Rational>& c, const CurveFile<Rational>& d) {
-  return c.knots.list() == d.knots.list() && c.net.points == d.net.points && c.net.weights == d.net.weights;
-}
-
-std::vector<std::string> notes_on(const RailsFile<Rational>& rails) {
-  std::vector<std::string> notes;
-  for (const auto& [rail, name] : {std::pair{&rails.c, "first"}, std::pair{&rails.d, "second"}}) {
-    if (!one_point(*rail)) continue;
-    notes.push_back(std::string("the ") + name + " rail is one point: all rulings meet there, as on a cone");
-  }
-  if (same_curve(rails.c, rails.d)) notes.emplace_back("both rails are the same curve: there is no strip between them");
-  return notes;
 }
 
 /// Folds and crossings of the surface.

@@ -108,8 +108,8 @@ inline constexpr std::size_t measured_rulings = 2000;
 inline constexpr std::size_t drawn_rulings = 240;
 
 /// Fits, makes the exact surface, simplifies it if wanted and certifies what came out. Throws InvalidInput naming "c"
-/// or "d" for rails that are points or too long for doubles, that have weights where a simpler surface is wanted, or
-/// whose surface would have a degree or a size beyond the limits.
+/// or "d" for rails that are points or too long for doubles, that have weights where a simpler surface is wanted, whose
+/// surface would have a degree or a size beyond the limits, or whose knots no mapping can tell apart.
 FittedStrip fit_strip(const RailsFile<Rational>& rails, const FitWishes& wishes);
 
 }  // namespace torse::cli

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/faces.hpp"
 #include "torse/cli/html_report.hpp"
 #include "torse/io/text.hpp"
 
@@ -37,21 +38,36 @@ bool read(const CLI::Option& option, const std::string& word) {
   return name == "name" ? word.ends_with(".json") : std::ranges::count(options, name) > 0;
 }
 
+/// Options whose files have one format, with the endings it has.
+struct OneFormat {
+  std::string_view option;
+  std::string_view format;
+  std::string_view usual;
+  std::string_view other{};
+};
+constexpr std::array<OneFormat, 6> one_format{{{"--json", "JSON", ".json"},
+                                               {"--ledger", "JSON", ".json"},
+                                               {"--junit", "JUnit's XML", ".xml"},
+                                               {"--sarif", "SARIF", ".sarif", ".json"},
+                                               {"--csv", "CSV", ".csv"},
+                                               {"--svg", "SVG", ".svg"}}};
+
+/// The endings of all that torse writes.
+constexpr std::array<std::string_view, 15> endings{".json", ".step", ".stp", ".iges", ".igs", ".obj", ".stl",  ".gltf",
+                                                   ".glb",  ".svg",  ".dxf", ".html", ".csv", ".xml", ".sarif"};
+
+void require_fitting_name(const OneFormat& own, const std::string& file) {
+  const std::string ending = extension_of(file);
+  if (ending == own.usual || ending == own.other || std::ranges::count(endings, ending) == 0) return;
+  throw UsageError(fmt::format("{}: expected a name for {}, found {}", own.option, own.format, in_quotes(file)));
+}
+
 /// An absolute name without links as far as it exists.
 fs::path resolved(const std::string& file) {
   std::error_code ignored;
   const fs::path path = fs::absolute(file, ignored);
   const fs::path result = fs::weakly_canonical(path, ignored);
   return result.empty() ? path : result;
-}
-
-bool same_file(const std::string& a, const std::string& b) {
-  if (a == "-" || b == "-") return a == b;
-  std::error_code ignored;
-  if (fs::exists(a, ignored) && fs::exists(b, ignored)) {
-    return fs::is_regular_file(a, ignored) && fs::equivalent(a, b, ignored);
-  }
-  return resolved(a) == resolved(b);
 }
 
 void require_distinct(const NamedFile& a, const NamedFile& b) {
@@ -66,6 +82,31 @@ void require_distinct(const NamedFile& a, const NamedFile& b) {
 }
 
 }  // namespace
+
+bool same_file(const std::string& a, const std::string& b) {
+  if (a == "-" || b == "-") return a == b;
+  std::error_code ignored;
+  if (fs::exists(a, ignored) && fs::exists(b, ignored)) {
+    return fs::is_regular_file(a, ignored) && fs::equivalent(a, b, ignored);
+  }
+  return resolved(a) == resolved(b);
+}
+
+void take_one_file_each(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (written(*option)) option->allow_extra_args(false);
+  }
+  for (CLI::App* sub : app.get_subcommands({})) take_one_file_each(*sub);
+}
+
+void require_fitting_names(const CLI::App& app) {
+  for (const OneFormat& own : one_format) {
+    const CLI::Option* option = app.get_option_no_throw(std::string(own.option));
+    if (option == nullptr) continue;
+    for (const std::string& file : option->results()) require_fitting_name(own, file);
+  }
+  for (const CLI::App* used : app.get_subcommands()) require_fitting_names(*used);
+}
 
 void require_distinct_files(const CLI::App& app) {
   std::vector<NamedFile> inputs;

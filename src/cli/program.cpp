@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <limits>
 #include <new>
 #include <string>
@@ -127,6 +128,14 @@ void require_whole_numbers(CLI::App& app) {
   for (CLI::App* sub : app.get_subcommands({})) require_whole_numbers(*sub);
 }
 
+/// Puts its folder before a file called "[a,b]", which the parser would take for a list of a and b.
+void protect_brackets(std::vector<std::string>& words) {
+  std::error_code ignored;
+  for (std::string& word : words) {
+    if (word.starts_with('[') && word.ends_with(']') && std::filesystem::exists(word, ignored)) word = "./" + word;
+  }
+}
+
 int run(std::vector<std::string> words) {
   CLI::App app("Construct, check and prove developable ruled spline surfaces in exact arithmetic.", "torse");
   app.set_version_flag("--version", std::string("torse ") + version, "print the version");
@@ -140,8 +149,10 @@ int run(std::vector<std::string> words) {
     CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
     actions.emplace_back(sub, command.define(*sub));
     require_whole_numbers(*sub);
+    take_one_file_each(*sub);
   }
   try {
+    protect_brackets(words);
     std::ranges::reverse(words);
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
@@ -150,6 +161,7 @@ int run(std::vector<std::string> words) {
   }
   require_values(app);
   require_distinct_files(app);
+  require_fitting_names(app);
   for (const auto& [sub, action] : actions) {
     if (sub->parsed()) return action();
   }

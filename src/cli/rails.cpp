@@ -117,6 +117,10 @@ InputRails either_rails(const RailsInput& input) {
   return {read_rails<Rational>(Document(input.file, std::move(bytes))), millimetres()};
 }
 
+bool same_curve(const CurveFile<Rational>& c, const CurveFile<Rational>& d) {
+  return c.knots.list() == d.knots.list() && c.net.points == d.net.points && c.net.weights == d.net.weights;
+}
+
 }  // namespace
 
 InputRails read_input_rails(const RailsInput& input) {
@@ -130,6 +134,20 @@ bool opposite(const RailsFile<Rational>& rails) {
   const auto [c0, c1] = ends_of(rails.c);
   const auto [d0, d1] = ends_of(rails.d);
   return squared_distance(c0, d1) + squared_distance(c1, d0) < squared_distance(c0, d0) + squared_distance(c1, d1);
+}
+
+bool one_point(const CurveFile<Rational>& rail) {
+  return std::ranges::all_of(rail.net.points, [&](const auto& x) { return x == rail.net.points.front(); });
+}
+
+std::vector<std::string> notes_on(const RailsFile<Rational>& rails) {
+  std::vector<std::string> notes;
+  for (const auto& [rail, name] : {std::pair{&rails.c, "first"}, std::pair{&rails.d, "second"}}) {
+    if (!one_point(*rail)) continue;
+    notes.push_back(std::string("the ") + name + " rail is one point: all rulings meet there, as on a cone");
+  }
+  if (same_curve(rails.c, rails.d)) notes.emplace_back("both rails are the same curve: there is no strip between them");
+  return notes;
 }
 
 }  // namespace torse::cli

@@ -2,9 +2,11 @@
 //   RailsInput      the file, and which of its curves
 //   InputRails, read_input_rails
 //   opposite        whether they run in opposite directions
+//   one_point, notes_on      what is unusual about them
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "torse/cli/units.hpp"
 #include "torse/exact/rational/rational.hpp"
@@ -33,5 +35,11 @@ InputRails read_input_rails(const RailsInput& input);
 
 /// Whether the rails run in opposite directions, as far as the distances of their ends tell.
 bool opposite(const RailsFile<Rational>& rails);
+
+/// Whether all its control points are the same.
+bool one_point(const CurveFile<Rational>& rail);
+
+/// Lines on rails between which there is a cone, or nothing.
+std::vector<std::string> notes_on(const RailsFile<Rational>& rails);
 
 }  // namespace torse::cli

@@ -10,12 +10,14 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "torse/cli/build_id.hpp"
 #include "torse/cli/claims.hpp"
 #include "torse/cli/command.hpp"
 #include "torse/cli/html_report.hpp"
+#include "torse/cli/named_files.hpp"
 #include "torse/cli/study.hpp"
 #include "torse/cli/terminal.hpp"
 #include "torse/io/file.hpp"
@@ -93,10 +95,23 @@ studies::Task task_of(const StudyOptions& options) {
   return task;
 }
 
+/// Throws UsageError where another file to write is the journal, which is removed at the end.
+void require_free(const std::string& journal, const StudyOptions& options) {
+  const std::string page = options.html.wanted() ? page_file(options.html.path) : "";
+  for (const auto& [option, file] : {std::pair{"--json", options.json}, std::pair{"--csv", options.csv},
+                                     std::pair{"--svg", options.svg}, std::pair{"--html", page}}) {
+    if (file.empty() || !same_file(file, journal)) continue;
+    throw UsageError(fmt::format("{}: expected another file than {}, where the cases that are done are kept", option,
+                                 in_quotes(journal)));
+  }
+}
+
 /// The file of results that is written besides the summary; its name with ".part" is the journal's.
 std::string journal_file(const StudyOptions& options) {
   for (const std::string& file : {options.json, options.csv}) {
-    if (!file.empty() && file != "-") return file + ".part";
+    if (file.empty() || file == "-") continue;
+    require_free(file + ".part", options);
+    return file + ".part";
   }
   if (options.resume) throw UsageError("--resume needs the file of --json or --csv that the run was to write");
   return "";

@@ -68,7 +68,8 @@ int run_unroll(const UnrollOptions& options) {
 std::function<int()> define_unroll(CLI::App& app) {
   const auto options = std::make_shared<UnrollOptions>();
   add_face_inputs(app, options->input, "a developable ruled surface");
-  app.add_option("-o,--output", options->outputs, "the plate: .svg, .dxf or .json; - is JSON on standard output")
+  app.add_option("-o,--output", options->outputs,
+                 "the plate: .svg, .dxf or .json; - is JSON on standard output; repeatable")
       ->required()
       ->type_name("FILE");
   app.add_option("--tolerance", options->wishes.tolerance, "how far the outline may be off, in the file's unit")

@@ -119,8 +119,7 @@ std::string overlap_text(const Plate& plate) {
 }  // namespace
 
 PlateWriter plate_writer(const std::string& output, const char* option) {
-  std::string extension = output == "-" ? ".json" : std::filesystem::path(output).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  const std::string extension = output == "-" ? ".json" : extension_of(output);
   if (extension == ".json") return plate_json;
   if (extension == ".svg") return plate_svg;
   if (extension == ".dxf") return plate_dxf;

@@ -38,7 +38,7 @@ std::pair<File, fs::path> create_beside(const std::string& path, const fs::path&
   std::random_device random;
   for (int attempt = 0; attempt < 100; ++attempt) {
     fs::path name = target;
-    name.replace_filename("." + target.filename().string() + "." + std::to_string(random()) + ".tmp");
+    name.replace_filename(".torse." + std::to_string(random()) + ".tmp");
     File file(std::fopen(name.c_str(), "wbx"));
     if (file) return {std::move(file), name};
     if (errno != EEXIST) break;

@@ -70,7 +70,9 @@ std::string uri(const std::string& path) {
   return out;
 }
 
+/// Standard input has no URI; SARIF lets a location say in words where it is.
 Json sarif_place(const ReportCase& c) {
+  if (c.file == "-") return {{"message", {{"text", "standard input"}}}};
   Json place{{"artifactLocation", {{"uri", uri(c.file)}}}};
   if (c.line > 0) place["region"] = {{"startLine", c.line}, {"startColumn", c.column}};
   return {{"physicalLocation", place}};

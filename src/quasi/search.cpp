@@ -20,11 +20,13 @@ std::vector<RailJet> jets_of(const Rail& rail, int intervals) {
   return jets;
 }
 
-/// The power of two of the largest coordinate: in this unit the fourth powers that an angle takes are floats.
+/// The power of two of the largest finite coordinate: in this unit the fourth powers that an angle takes are floats.
 double unit_of(const std::vector<RailJet>& c, const std::vector<RailJet>& d) {
   double largest = std::numeric_limits<double>::min();
   for (const auto* jets : {&c, &d}) {
-    for (const RailJet& jet : *jets) largest = std::max(largest, jet.point.cwiseAbs().maxCoeff());
+    for (const RailJet& jet : *jets) {
+      if (jet.point.allFinite()) largest = std::max(largest, jet.point.cwiseAbs().maxCoeff());
+    }
   }
   return std::exp2(std::ilogb(largest));
 }
@@ -120,6 +122,7 @@ RulingGrid::RulingGrid(const Rails& rails, int columns, int rows, AngleKind kind
   const auto& [px, py, pz] = d.point;
   const auto& [bx, by, bz] = d.tangent;
   const bool sides = kind == AngleKind::sides;
+  const float largest = sides ? pi : pi / 2;
   for (std::size_t i = 0; i <= static_cast<std::size_t>(columns); ++i) {
     const float cx = c.point[0][i], cy = c.point[1][i], cz = c.point[2][i];
     const float ax = c.tangent[0][i], ay = c.tangent[1][i], az = c.tangent[2][i];
@@ -132,8 +135,9 @@ RulingGrid::RulingGrid(const Rails& rails, int columns, int rows, AngleKind kind
       const float cosine = mx * nx + my * ny + mz * nz;
       const float square = (wx * wx + wy * wy + wz * wz) * volume * volume;
       const float norm = square + cosine * cosine;
-      const float angle = norm > 0 ? rough_angle(square / norm) : 0;
-      out[j] = sides && cosine < 0 ? pi - angle : angle;
+      const float angle = norm == 0 ? 0 : rough_angle(square / norm);
+      const float cost = sides && cosine < 0 ? pi - angle : angle;
+      out[j] = cost >= 0 ? cost : largest;  // not a number where a rail is infinite
     }
   }
 }

@@ -15,7 +15,7 @@ namespace torse::quasi {
 enum class Ends { fixed, free };
 
 /// cost(i, j) >= 0: the angle of the ruling from c(i / columns) to d(j / rows) within half a percent and the rounding
-/// errors of single precision; 0 where it is not defined.
+/// errors of single precision; 0 where it is not defined, the largest angle there is where a rail is infinite.
 class RulingGrid {
  public:
   RulingGrid(const Rails& rails, int columns, int rows, AngleKind kind);

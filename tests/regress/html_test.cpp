@@ -51,5 +51,33 @@ TEST_F(Html, AFileInTheWayIsOneError) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch_.path()), {}), 1);
 }
 
+/// A program without the viewer says so before it writes anything; with it, everything is written.
+TEST(HtmlOption, ThePageAndTheOtherFilesAreWrittenOrNone) {
+  const Scratch scratch;
+  const std::string rails = (scratch / "rails.json").string();
+  const std::string net = (scratch / "net.json").string();
+  spill(rails, R"({"torse": 1, "type": "rails", "c": {"degree": 1, "points": [[0,0,0],[1,0,0]]},
+    "d": {"degree": 1, "points": [[0,0,1],[1,0,1]]}})");
+  spill(net, R"({"torse": 1, "type": "ruled", "degree": 1, "c": {"points": [[0,0,0],[1,0,0]]},
+    "d": {"points": [[0,0,1],[1,0,1]]}})");
+  const std::vector<std::vector<std::string>> commands{{"fit", rails, "-o"},
+                                                       {"check", net, "--repair"},
+                                                       {"check", net, "--json"},
+                                                       {"study", "gap", "--effort", "quick", "--json"},
+                                                       {"figures", "FJ07.Fig1", "-o"},
+                                                       {"example", "--json"},
+                                                       {"verify", "--claim", "FJ07.5", "--effort", "quick", "--json"}};
+  for (const std::vector<std::string>& command : commands) {
+    const Scratch place;
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {place / "out", "--html", place / "page.html"});
+    if (command.front() == "fit") words[words.size() - 3] += ".json";
+    const ProgramResult result = run_program(words);
+    const std::ptrdiff_t files = std::distance(std::filesystem::directory_iterator(place.path()), {});
+    EXPECT_EQ(result.exit, cli::viewer().empty() ? 2 : 0) << command.front() << result.err;
+    EXPECT_EQ(files, cli::viewer().empty() ? 0 : 2) << command.front();
+  }
+}
+
 }  // namespace
 }  // namespace torse::testing

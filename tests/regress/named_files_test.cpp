@@ -97,6 +97,42 @@ TEST_F(NamedFiles, AreNotWrittenOverWhatIsRead) {
   expect_refused({"campaign", "diff", "@rails.json", "@in.json", "--json", "@in.json"}, "B and --json: ");
 }
 
+/// What stands behind an output and its name is an input, wherever the options stand.
+TEST_F(NamedFiles, BehindAnOutputAreInputs) {
+  EXPECT_EQ(run({"fit", "-o", "@x.json", "@rails.json", "--max-warp", "1"}).exit, 0);
+  EXPECT_EQ(run({"fit", "-o", "@y.json", "--unroll", "@y.svg", "@rails.json", "--json", "@report.json"}).exit, 0);
+  EXPECT_EQ(run({"unroll", "-o", "@x.svg", "-o", "@x.dxf", "@in.json", "--rulings", "3"}).exit, 0);
+  for (const char* name : {"x.json", "y.json", "y.svg", "report.json", "x.svg", "x.dxf"}) {
+    EXPECT_TRUE(fs::exists(scratch_ / name)) << name;
+  }
+  expect_refused({"fit", "@rails.json", "-o", "@a.json", "@in.json"}, "unexpected word " + file("in.json"));
+  expect_refused({"fit", "@rails.json", "-o", "@a.json", "--unroll", "@a.svg", "@in.json"}, "unexpected word ");
+  expect_refused({"unroll", "@in.json", "-o", "@a.svg", "@rails.json"}, "expected one FILE, found 2");
+}
+
+/// A study keeps what is done beside the first of its results and removes that at its end.
+TEST_F(NamedFiles, AreNotWhereAStudyKeepsItsCases) {
+  const std::string kept = ": expected another file than \"" + file("a.part") + '"';
+  expect_refused({"study", "gap", "--json", "@a", "--csv", "@a.part"}, "--csv" + kept);
+  expect_refused({"study", "gap", "--json", "@a", "--svg", "@./a.part"}, "--svg" + kept);
+  EXPECT_EQ(run({"study", "gap", "--effort", "quick", "--json", "@a", "--csv", "@b.part"}).exit, 0);
+  EXPECT_TRUE(fs::exists(scratch_ / "b.part"));
+  EXPECT_FALSE(fs::exists(scratch_ / "a.part"));
+}
+
+/// "[a,b]" is one file, not the list of a and b.
+TEST_F(NamedFiles, MayHaveBrackets) {
+  const fs::path before = fs::current_path();
+  fs::current_path(scratch_.path());
+  spill("[in.json,rails.json]", cylinder);
+  const ProgramResult one = run({"check", "[in.json,rails.json]"});
+  const ProgramResult two = run({"check", "in.json", "[in.json,rails.json]"});
+  fs::current_path(before);
+  EXPECT_EQ(one.exit, 0) << one.err;
+  EXPECT_THAT(one.out, HasSubstr("[in.json,rails.json]  developable"));
+  EXPECT_THAT(two.out, HasSubstr("2 of 2 developable"));
+}
+
 TEST_F(NamedFiles, OnlyOneIsStandardOutput) {
   expect_refused({"check", "@in.json", "--json", "-", "--sarif", "-"},
                  "only one of --json and --sarif can write to standard output");
@@ -118,6 +154,25 @@ TEST_F(NamedFiles, AreNotThoseOfAnotherFormat) {
   for (const char* name : {"@x.json", "@x", "@x.txt", "@x.step.json"}) {
     EXPECT_EQ(run({"check", "@in.json", "--repair", name}).exit, 0);
     EXPECT_EQ(run({"construct", "bezier", "@curve.json", "-o", name}).exit, 0);
+  }
+}
+
+/// Nor do reports, tables and pictures.
+TEST_F(NamedFiles, AreNotThoseOfAnotherFormatForReports) {
+  for (const char* name : {"@x.step", "@x.IGS", "@x.html", "@x.svg", "@x.csv", "@x.xml", "@x.sarif"}) {
+    expect_refused({"check", "@in.json", "--json", name}, "--json: expected a name for JSON, found \"");
+    expect_refused({"verify", "--claim", "FJ07.5", "--ledger", name}, "--ledger: expected a name for JSON");
+    expect_refused({"campaign", "run", "--db", "@x", "--json", name}, "--json: expected a name for JSON");
+  }
+  for (const char* name : {"@x.stp", "@x.json", "@x.sarif"}) {
+    expect_refused({"check", "@in.json", "--junit", name}, "--junit: expected a name for JUnit's XML, found \"");
+    expect_refused({"study", "gap", "--csv", name}, "--csv: expected a name for CSV");
+    expect_refused({"study", "gap", "--svg", name}, "--svg: expected a name for SVG");
+    expect_refused({"fit", "@rails.json", "-o", "@y.obj", "--svg", name}, "--svg: expected a name for SVG");
+  }
+  expect_refused({"check", "@in.json", "--sarif", "@x.xml"}, "--sarif: expected a name for SARIF, found \"");
+  for (const char* sarif : {"@x.sarif", "@x.sarif.json", "@x", "@x.txt"}) {
+    EXPECT_EQ(run({"check", "@in.json", "--json", "@a.JSON", "--junit", "@a.xml", "--sarif", sarif}).exit, 0) << sarif;
   }
 }
 

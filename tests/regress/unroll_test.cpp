@@ -198,6 +198,20 @@ TEST_F(Unroll, WarpedSurfaces) {
   EXPECT_THAT(refusal(saddle, {"--max-warp", "0.5deg"}, 1), HasSubstr("more than --max-warp 0.5deg"));
 }
 
+/// The first piece is 1e-20 of the domain: but for that it is the segment from (0, 0) to (1, 2), passed ever slower,
+/// and the other one the parabola with the control points (1, 2), (3, 0), (4, 1).
+TEST_F(Unroll, APieceOfNextToNoParameters) {
+  const json sheet = plate(R"({"torse": 1, "type": "ruled", "degree": 2, "knots": [0,0,"1e-20",1,1],
+    "c": {"points": [[0,0,0],[1,2,0],[3,0,0],[4,1,0]]}, "d": {"points": [[0,0,1],[1,2,1],[3,0,1],[4,1,1]]}})");
+  const auto speed = [](double t) { return std::hypot(4 - 2 * t, -4 + 6 * t); };
+  const int halves = 1000;
+  double sum = speed(0) + speed(1);
+  for (int i = 1; i < 2 * halves; ++i) sum += (i % 2 == 1 ? 4 : 2) * speed(i / (2.0 * halves));
+  const double length = std::sqrt(5.0) + sum / (6 * halves);
+  EXPECT_NEAR(sheet["c"]["length"]["before"]["lo"].get<double>(), length, 1e-9);
+  EXPECT_NEAR(sheet["c"]["length"]["before"]["hi"].get<double>(), length, 1e-9);
+}
+
 TEST_F(Unroll, WhatCannotLieFlatIsRefused) {
   EXPECT_THAT(refusal(bow_tie, {}, 1), HasSubstr("singular at t = 1/2 (vanishing)"));
   const std::string folded = R"({"torse": 1, "type": "ruled", "degree": 2,

@@ -38,8 +38,11 @@ TEST(CadFaces, OneForEachStrip) {
   ASSERT_EQ(faces.size(), 3U);
   EXPECT_EQ(faces[0].name, "face 1 strip 1");
   EXPECT_EQ(faces[1].name, "face 1 strip 2");
+  EXPECT_EQ(faces[0].strip, 1U);
+  EXPECT_EQ(faces[1].strip, 2U);
   EXPECT_TRUE(faces[1].surface);
   EXPECT_EQ(faces[2].name, "face 2");
+  EXPECT_EQ(faces[2].strip, 0U);
   EXPECT_FALSE(faces[2].surface);
 }
 

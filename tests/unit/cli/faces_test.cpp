@@ -12,11 +12,13 @@ namespace {
 struct Named {
   std::string name;
   std::size_t number;
+  std::size_t strip = 0;
 };
 
 std::vector<Face> faces_of(const std::vector<Named>& list) {
   std::vector<Face> faces;
-  for (const Named& each : list) faces.push_back({.file = "part.step", .name = each.name, .number = each.number});
+  for (const Named& each : list)
+    faces.push_back({.file = "part.step", .name = each.name, .number = each.number, .strip = each.strip});
   set_choices(faces);
   return faces;
 }
@@ -34,6 +36,7 @@ std::vector<std::string> choices_of(const std::vector<Named>& list) {
     for (const Face& other : found) {
       EXPECT_EQ(other.name, face.name);
       EXPECT_EQ(other.number, face.number);
+      EXPECT_EQ(other.strip, face.strip);
     }
   }
   return choices;
@@ -51,6 +54,14 @@ TEST(Faces, AreChosenByNumberUnlessItIsTheNameOfAnother) {
 TEST(Faces, StripsOfOneFaceAreChosenByTheirNames) {
   EXPECT_EQ(choices_of({{"hull strip 1", 1}, {"hull strip 2", 1}, {"lid", 2}}),
             (Choices{"hull strip 1", "hull strip 2", "2"}));
+}
+
+TEST(Faces, StripsOfFacesOfOneNameAreChosenByBothNumbers) {
+  EXPECT_EQ(choices_of({{"a strip 1", 1, 1}, {"a strip 2", 1, 2}, {"a strip 1", 2, 1}, {"a strip 2", 2, 2}}),
+            (Choices{"1 strip 1", "1 strip 2", "2 strip 1", "2 strip 2"}));
+  EXPECT_EQ(choices_of({{"a strip 1", 1, 1}, {"a strip 2", 1, 2}, {"a strip 1", 2, 1}, {"1 strip 1", 3}}),
+            (Choices{"", "a strip 2", "2 strip 1", "3"}));
+  EXPECT_EQ(chosen(faces_of({{"a strip 1", 1, 1}, {"a strip 2", 1, 2}, {"b", 2}}), "1").size(), 2U);
 }
 
 TEST(Faces, ThatNothingTellsFromOthersAreShownWithThem) {

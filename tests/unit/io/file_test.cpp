@@ -28,6 +28,15 @@ TEST(File, ReplacesTheOldOneAndLeavesNothingElse) {
   EXPECT_EQ(entries(scratch), 1U);
 }
 
+TEST(File, MayHaveTheLongestNameThereIs) {
+  const Scratch scratch;
+  const std::string path = (scratch / std::string(255, 'x')).string();
+  write_file(path, "one");
+  write_file(path, "two");
+  EXPECT_EQ(slurp(path), "two");
+  EXPECT_EQ(entries(scratch), 1U);
+}
+
 /// Numbers of files that this process has open.
 std::size_t open_files() {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {}));

@@ -99,6 +99,16 @@ TEST(Report, SarifNamesTheFileByAUri) {
   }
 }
 
+/// "-" would be a file of that name.
+TEST(Report, SarifSaysInWordsThatItWasStandardInput) {
+  ReportCase piped = case_of(Outcome::error, "piped");
+  piped.file = "-";
+  piped.line = 3;
+  piped.column = 7;
+  const json run = json::parse(sarif_report({piped}, "1.2.3"))["runs"][0];
+  EXPECT_EQ(run["results"][0]["locations"], json::parse(R"([{"message": {"text": "standard input"}}])"));
+}
+
 TEST(Report, SarifHasNoPlaceWhereThereIsNoFile) {
   ReportCase claim = case_of(Outcome::failed, "FJ07.3");
   claim.file = "";

@@ -32,6 +32,17 @@ TEST(Ball, InequalitiesOnBoxesAreCounted) {
   EXPECT_THAT(ball(open_one).detail, StartsWith("positive on 0 boxes, undecided on 4;"));
 }
 
+TEST(Ball, EqualNumbersDifferByNothing) {
+  const SmallClaim claim{facts(1, 1), Always(),
+                         []<class S>(const Given<S>&, Equations<S>& e) { e.equal(from_int<S>(2), from_int<S>(2)); }};
+  EXPECT_THAT(ball(claim).detail, EndsWith(" boxes, widest difference 0"));
+  const SmallClaim both{facts(1, 1), Always(), []<class S>(const Given<S>&, Equations<S>& e) {
+                          e.equal(from_int<S>(2), from_int<S>(2));
+                          e.positive(from_int<S>(1));
+                        }};
+  EXPECT_EQ(ball(both).detail, "positive on 4 boxes, undecided on 0; widest difference 0");
+}
+
 TEST(Ball, ARefutationNamesBothSides) {
   const SmallClaim claim{facts(1, 1), Always(),
                          []<class S>(const Given<S>&, Equations<S>& e) { e.equal(from_int<S>(2), from_int<S>(3)); }};

@@ -131,6 +131,26 @@ TEST(RulingGrid, CostsDoNotDependOnTheSize) {
   }
 }
 
+/// d passes infinity in its middle, where its weights 1 and -1 cancel: no ruling leads there, so it is the worst.
+TEST(RulingGrid, ARulingToInfinityCostsMost) {
+  const Rail c(1, {0, 1}, {{1, 0, 0, 0}, {1, 1, 0, 0}});
+  const Rail d(1, {0, 1}, {{1, 0, 1, 0}, {-1, -1, -1, -1}});
+  for (const auto& [kind, largest] : {std::pair{AngleKind::planes, 0.5}, std::pair{AngleKind::sides, 1.0}}) {
+    const RulingGrid grid({c, d}, 4, 4, kind);
+    for (int i = 0; i <= 4; ++i) {
+      for (int j = 0; j <= 4; ++j) {
+        const double cost = static_cast<double>(grid.column(i)[j]);
+        if (j == 2) {
+          EXPECT_NEAR(cost, largest * std::numbers::pi, 1e-6);
+          continue;
+        }
+        const double angle = std::abs(ruling_angle(c(i / 4.0), d(j / 4.0), kind).angle.value);
+        EXPECT_NEAR(cost, angle, 0.005 * angle + 1e-3);
+      }
+    }
+  }
+}
+
 /// A rail that rests where it begins has no tangent there, and no angle is asked for.
 TEST(RulingGrid, ARailAtRestCostsNothing) {
   const Rails rails{

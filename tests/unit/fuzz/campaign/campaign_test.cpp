@@ -222,6 +222,32 @@ TEST_F(Campaigns, AFailureThatCameOutOtherwiseUnderTheSameBuildIsAnError) {
   EXPECT_EQ(a.total(plan.series(0), {50, 50}).tally.failed, 1U);
 }
 
+/// Two builds at once on one database: the other one stores what held there after this one has begun.
+TEST_F(Campaigns, AUnitThatCameOutOtherwiseUnderAnotherBuildTellsOfIt) {
+  Store a = store("a");
+  const Plan plan = plan_of({1, 1});
+  const auto error = [&](const std::string& build, std::uint64_t seed) {
+    test::put_all(a, run_of("t" + build, build), {test::unit_of("test.digits", seed, 0)});
+    Hall hall(2);
+    Hall::Seat seat = hall.seat(1);
+    const UnitResult fails = test::unit_of("test.digits", seed, 1);
+    seat.send(0, to_bytes(Report{plan_number(plan, "b"), 0, true, "", {fails}}, plan));
+    Hall::Seat leader = hall.seat(0);
+    try {
+      run(a, plan, 1, &leader);
+    } catch (const FileError& caught) {
+      EXPECT_EQ(caught.file(), a.file());
+      return caught.reason();
+    }
+    return std::string("none");
+  };
+  const std::string unit = "test.digits, seed 50, quick effort";
+  EXPECT_EQ(error("other", 50),
+            unit + " has come out otherwise under another build of torse meanwhile: give each its own database");
+  EXPECT_EQ(a.total(plan.series(0), {50, 50}).tally.failed, 0U);
+  EXPECT_NE(error("b", 51).find("has come out otherwise before: its property"), std::string::npos);
+}
+
 TEST_F(Campaigns, AUnitThatCannotBeRunIsNamedAndTheOthersAreStored) {
   for (int size = 1; size <= 3; ++size) {
     Store a = store("a" + std::to_string(size));
