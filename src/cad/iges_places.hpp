@@ -12,6 +12,7 @@
 
 namespace torse::cad {
 
+/// The rows (A | b) of a map x -> A x + b.
 CadPlacement placement_of(const gp_GTrsf& map);
 
 /// The maps by which instances of subfigures (408) and of solids (430, 184) place an entity, through any number of them
