@@ -30,6 +30,7 @@
 #include "torse/cad/curves.hpp"
 #include "torse/cad/face.hpp"
 #include "torse/cad/iges_curve.hpp"
+#include "torse/cad/iges_places.hpp"
 #include "torse/cad/iges_weights.hpp"
 #include "torse/cad/read.hpp"
 
@@ -54,6 +55,9 @@ bool is_curve(int type) {
   constexpr int types[] = {100, 102, 104, 106, 110, 112, 126};
   return std::ranges::find(types, type) != std::end(types);
 }
+
+/// Instances of subfigures and solids: what they place would stand elsewhere without them.
+bool is_instance(int type) { return type == 184 || type == 408 || type == 430; }
 
 /// Entities whose surface is a part of them: curves on it, offsets, trimmed surfaces, faces.
 bool takes_up(int type) {
@@ -80,16 +84,6 @@ std::string name_of(const Entity& entity) {
   return name;
 }
 
-CadPlacement placement_of(const gp_GTrsf& map) {
-  CadPlacement placement{};
-  for (int row = 1; row <= 3; ++row) {
-    for (int column = 1; column <= 4; ++column) {
-      placement[static_cast<std::size_t>(row - 1)][static_cast<std::size_t>(column - 1)] = map.Value(row, column);
-    }
-  }
-  return placement;
-}
-
 Net net_of_iges(const IGESGeom_BSplineSurface& surface) {
   Net net{.degree_u = surface.DegreeU(), .degree_v = surface.DegreeV()};
   net.columns = static_cast<std::size_t>(surface.NbPolesV());
@@ -104,10 +98,11 @@ Net net_of_iges(const IGESGeom_BSplineSurface& surface) {
   return net;
 }
 
-/// What bounds a surface: the entity itself, and the face that OpenCASCADE makes of it.
+/// What bounds a surface: the entity itself, and the face that OpenCASCADE makes of it; where instances place it.
 struct Item {
   Entity entity{};
   Entity surface{};
+  gp_GTrsf place{};
 
   bool bounded() const { return entity != surface; }
 };
@@ -166,21 +161,25 @@ class IgesFile {
   }
 
  private:
-  /// In the order of the file.
+  /// In the order of the file, once for each place.
   std::vector<Item> find_items() const {
     const Interface_Graph graph(model_, reader_.WS()->Protocol());
     std::vector<Item> items;
     for (int i = 1; i <= model_->NbEntities(); ++i) {
       const Entity entity = as<IGESData_IGESEntity>(model_->Value(i));
       if (entity.IsNull()) continue;
+      if (is_instance(entity->TypeNumber())) require_sound(model_, entity);
+      const auto add = [&](const Entity& surface) {
+        for (const gp_GTrsf& place : places_of(model_, graph, entity)) items.push_back({entity, surface, place});
+      };
       if (const auto trimmed = as<IGESGeom_TrimmedSurface>(entity); !trimmed.IsNull()) {
-        items.push_back({entity, trimmed->Surface()});
+        add(trimmed->Surface());
       } else if (const auto bounded = as<IGESGeom_BoundedSurface>(entity); !bounded.IsNull()) {
-        items.push_back({entity, bounded->Surface()});
+        add(bounded->Surface());
       } else if (const auto face = as<IGESSolid_Face>(entity); !face.IsNull()) {
-        items.push_back({entity, face->Surface()});
+        add(face->Surface());
       } else if (is_surface(entity->TypeNumber()) && alone(graph, entity)) {
-        items.push_back({entity, entity});
+        add(entity);
       }
     }
     return items;
@@ -238,20 +237,19 @@ class IgesFile {
       face.reason = "OpenCASCADE makes no single face of it";
       return;
     }
-    face.placement = torse::cad::placement_of(shape.Location().Transformation(), 1);
+    gp_GTrsf map = item.place;
+    map.Multiply(gp_GTrsf(shape.Location().Transformation()));
+    face.placement = placement_of(map);
     TopLoc_Location location;
     const TopoDS_Face local = TopoDS::Face(shape.Located(TopLoc_Location()));
     add_surface(BRep_Tool::Surface(shape, location), box_of(local, tolerance_), face);
   }
 
-  /// The maps of the surface and of what bounds it.
+  /// The maps of the surface, of what bounds it and of its instance.
   static void place(const Item& item, CadFace& face) {
-    gp_GTrsf map = item.surface->Location();
-    if (item.bounded()) {
-      gp_GTrsf outer = item.entity->Location();
-      outer.Multiply(map);
-      map = outer;
-    }
+    gp_GTrsf map = item.place;
+    if (item.bounded()) map.Multiply(item.entity->Location());
+    map.Multiply(item.surface->Location());
     face.placement = placement_of(map);
   }
 

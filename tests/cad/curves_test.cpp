@@ -110,6 +110,17 @@ TEST(CadCurves, ReversedArcsKeepTheirRange) {
   EXPECT_LT(found[1].Distance({2, 0, 0}), 1e-12);
 }
 
+/// The first quarter of a parabola, from (2, 0, 0) to (23/8, 3/16, 0), as a part that runs backwards.
+TEST(CadCurves, ReversedPartsOfSplinesKeepTheirRange) {
+  const gp_Pnt joint(2.875, 0.1875, 0);
+  TColgp_Array1OfPnt poles(1, 3);
+  for (std::size_t i = 0; i < 3; ++i) poles(static_cast<int>(i) + 1) = arc[i];
+  const TopoDS_Edge quarter = BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles), 0, 0.25);
+  const Places down{{2.875, 4, 0}, joint};
+  expect_joints(curve_of(connected({edge(down), TopoDS::Edge(quarter.Reversed())})),
+                {down.front(), joint, arc.front()});
+}
+
 /// One edge is number for number what it was, and says that it runs backwards.
 TEST(CadCurves, AReversedEdgeIsReversed) {
   EXPECT_FALSE(curve_of(edge(arc)).rail.value().reversed);

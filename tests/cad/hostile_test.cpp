@@ -80,6 +80,10 @@ TEST_F(HostileCad, NumbersThatAreNone) {
 TEST_F(HostileCad, ListsThatDoNotFit) {
   const std::string good = patch("1.,1.,0.");
   refused("a.step", replaced(good, "(2,2),(2,2),", "(2,2),(2,2000000000),"), "multiplicities");
+  for (const char* middle : {"0", "-1"}) {  // a knot that is none
+    refused("a.step", replaced(good, "(2,2),(2,2),(0.,1.)", "(2," + std::string(middle) + ",2),(2,2),(0.,0.5,1.)"),
+            "multiplicities of knots that are positive");
+  }
   refused("a.step", replaced(good, "(2,2),(2,2),", "(2,2),(2,3),"), "knots");
   refused("a.step", replaced(good, "(0.,1.),(0.,1.)", "(0.,1.),(1.,0.)"), "knots");
   refused("a.step", replaced(good, "(0.,1.),(0.,1.)", "(0.,1.),(1.,1.)"), "knots");

@@ -179,6 +179,14 @@ TEST(IgesErrors, BoundariesThatAreNotUsed) {
               }),
               HasSubstr(not_used));
   EXPECT_THAT(said([&](IgesText& iges) { iges.add(144, name(ruled(iges)) + ",0,0,0"); }), Not(HasSubstr(not_used)));
+  // A hole in all of the surface.
+  EXPECT_THAT(said([&](IgesText& iges) {
+                const int surface = ruled(iges);
+                const int hole =
+                    iges.add(142, "1," + name(surface) + ",0," + name(floor_line(iges)) + ",2", {.dependent = true});
+                iges.add(144, name(surface) + ",0,1,0," + name(hole));
+              }),
+              HasSubstr(not_used));
   // A trimmed surface whose contour is the surface: OpenCASCADE makes no face of it.
   EXPECT_THAT(said([](IgesText& iges) {
                 const int surface = iges.add(128, square, {.dependent = true});

@@ -11,7 +11,7 @@ namespace torse::testing {
 /// Entities are named by the number of their directory entry, as the format has it.
 class IgesText {
  public:
-  /// `unit` is IGES's flag: 1 inch, 2 mm, 6 m.
+  /// `unit` is IGES's flag: 1 inch, 2 mm, 6 m, and others, but not 3.
   explicit IgesText(int unit = 2) : unit_(unit) {}
 
   struct Extra {
@@ -60,7 +60,8 @@ class IgesText {
   }
 
   std::string file() const {
-    const std::string units[] = {"", "2HIN", "2HMM", "", "2HFT", "2HMI", "1HM"};
+    const std::string units[] = {"",    "2HIN", "2HMM",  "",     "2HFT", "2HMI",
+                                 "1HM", "2HKM", "3HMIL", "2HUM", "2HCM", "3HUIN"};
     const std::string global = "1H,,1H;,4Hpart,8Hpart.igs,5Htorse,5Htorse,32,38,6,308,15,4Hpart,1.," +
                                std::to_string(unit_) + "," + units[unit_] +
                                ",1,0.01,15H20260101.000000,1.E-05,1000.,5Htorse,5Htorse,11,0,15H20260101.000000;";

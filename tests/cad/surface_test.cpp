@@ -291,6 +291,15 @@ TEST(CadSurfaces, BezierSurfacesKeepPointsAndWeights) {
   EXPECT_EQ(rails.d.weights, (std::vector<double>{0.5, 3, 1}));
 }
 
+TEST(CadSurfaces, WeightsThatChangeInOneDirectionAreKept) {
+  const CadFace along_u = face_of(arch({1, 1, 2, 2, 1, 1}));
+  EXPECT_EQ(std::get<CadRails>(along_u.strips.at(0).surface).c.weights, (std::vector<double>{1, 2, 1}));
+  EXPECT_EQ(std::get<CadRails>(along_u.strips.at(0).surface).d.weights, (std::vector<double>{1, 2, 1}));
+  const CadFace along_v = face_of(arch({1, 3, 1, 3, 1, 3}));
+  EXPECT_EQ(std::get<CadRails>(along_v.strips.at(0).surface).c.weights, (std::vector<double>{1, 1, 1}));
+  EXPECT_EQ(std::get<CadRails>(along_v.strips.at(0).surface).d.weights, (std::vector<double>{3, 3, 3}));
+}
+
 TEST(CadSurfaces, ATrimmedSurfaceIsThePartOfIt) {
   const Handle(Geom_Surface) whole = arch({1, 1, 1, 1, 1, 1});
   const Handle(Geom_Surface) once = new Geom_RectangularTrimmedSurface(whole, 0.25, 1., 0., 1.);
