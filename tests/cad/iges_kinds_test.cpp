@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cad/iges_text.hpp"
+#include "cad/iges_files.hpp"
 #include "support/program.hpp"
 #include "torse/cli/faces.hpp"
 #include "torse/cli/rails.hpp"
@@ -16,15 +16,7 @@ namespace {
 
 using Place = std::vector<double>;
 
-class IgesKinds : public ::testing::Test {
- public:
-  std::string file(const IgesText& iges) const {
-    spill(scratch / "part.igs", iges.file());
-    return (scratch / "part.igs").string();
-  }
-  std::vector<cli::Face> faces(const IgesText& iges) const { return cli::read_faces(file(iges), ""); }
-  Scratch scratch;
-};
+class IgesKinds : public IgesFiles {};
 
 std::string text(int number) { return std::to_string(number); }
 

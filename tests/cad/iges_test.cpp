@@ -7,7 +7,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "cad/iges_text.hpp"
+#include "cad/iges_files.hpp"
 #include "support/program.hpp"
 #include "torse/cli/faces.hpp"
 
@@ -17,19 +17,13 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-class Iges : public ::testing::Test {
+class Iges : public IgesFiles {
  public:
-  std::string file(const IgesText& iges) const {
-    spill(scratch / "part.igs", iges.file());
-    return (scratch / "part.igs").string();
-  }
-  std::vector<cli::Face> faces(const IgesText& iges) const { return cli::read_faces(file(iges), ""); }
   json check(const IgesText& iges) const {
     const ProgramResult result = run_program({"check", file(iges), "--json", "-"});
     EXPECT_EQ(result.err, "");
     return json::parse(result.out)["surfaces"];
   }
-  Scratch scratch;
 };
 
 Rational d(double x) { return Rational::from_double(x); }

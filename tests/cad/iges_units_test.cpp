@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "cad/iges_text.hpp"
+#include "cad/iges_files.hpp"
 #include "support/program.hpp"
 #include "torse/cli/faces.hpp"
 #include "torse/cli/rails.hpp"
@@ -16,14 +16,7 @@ namespace {
 
 using Place = std::vector<double>;
 
-class IgesUnits : public ::testing::Test {
- public:
-  std::string file(const IgesText& iges) const {
-    spill(scratch / "part.igs", iges.file());
-    return (scratch / "part.igs").string();
-  }
-  Scratch scratch;
-};
+class IgesUnits : public IgesFiles {};
 
 std::string text(int number) { return std::to_string(number); }
 

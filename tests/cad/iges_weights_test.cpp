@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cad/iges_text.hpp"
+#include "cad/iges_files.hpp"
 #include "support/program.hpp"
 #include "torse/cli/faces.hpp"
 
@@ -14,16 +14,11 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-class IgesWeights : public ::testing::Test {
+class IgesWeights : public IgesFiles {
  public:
-  std::string file(const IgesText& iges) const {
-    spill(scratch / "part.igs", iges.file());
-    return (scratch / "part.igs").string();
-  }
   json check(const IgesText& iges) const {
     return json::parse(run_program({"check", file(iges), "--json", "-"}).out)["surfaces"];
   }
-  Scratch scratch;
 };
 
 /// A parabola c and c + (0, 0, 4): a cylinder with the same weights up to a factor, else not. All weights of one rail
