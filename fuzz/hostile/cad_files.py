@@ -209,6 +209,20 @@ def matrices(count, last):
     return file.text()
 
 
+def subfigures(levels, instances, first=None):
+    """Each subfigure is so many instances of the one before; the innermost holds a ruled surface, and `first`."""
+    file = Iges()
+    below = file.add(118, "%d,%d,0,1" % (file.line("0."), file.line("1.")), form=1, dependent=True)
+    for level in range(levels):
+        inner = [below] if level == 0 else [
+            file.add(408, "%d,%d.,%d.,%d.,1." % (below, i, level, i * level), dependent=True) for i in range(instances)]
+        if first is not None and level == 0:
+            inner.append(first)
+        below = file.add(308, "0,1Hs,%d,%s" % (len(inner), ",".join(map(str, inner))), dependent=True)
+    file.add(408, "%d,0.,0.,0.,1." % below)
+    return file.text()
+
+
 def igs():
     for count in (10000, 100000, 200000):
         yield "IGES, a rail of %d points" % count, lambda: long_spline(count)
@@ -225,6 +239,10 @@ def igs():
     yield "IGES, a matrix of itself", lambda: matrices(1, 1)
     yield "IGES, a circle of 1000 matrices", lambda: matrices(1000, 1)
     yield "IGES, 50000 matrices", lambda: matrices(50000, 0)
+    yield "IGES, a subfigure of itself", lambda: subfigures(2, 1, 9)
+    yield "IGES, 2^16 instances of subfigures", lambda: subfigures(17, 2)
+    yield "IGES, 2^60 instances of subfigures", lambda: subfigures(61, 2)
+    yield "IGES, 30000 subfigures in each other", lambda: subfigures(30000, 1)
     yield "IGES, an offset of itself", lambda: chain(1, 3)
     yield "IGES, a circle of 1000 offsets", lambda: chain(1000, 3)
     yield "IGES, 30000 offsets in a row", lambda: chain(30000, 1)

@@ -165,6 +165,9 @@ plain::PolyRow<4> minus(plain::PolyRow<4> x, const Poly& factor, const plain::Po
 void check_cone_equation(const Bernstein<Q>& b, const Q& difference) {
   if (b.degree() == 0) return;
   const std::vector<Q> a = b.derivative().elevated(1).coefficients();
+  const Poly rest =
+      plain::plus(polynomial_of(Bernstein<Q>(a)), plain::scaled(Q(-1), plain::derivative(polynomial_of(b))));
+  require(std::ranges::all_of(rest, [](const Q& x) { return x.sign() == 0; }), "a derivative is another one");
   require(definitely(is_cone_equation<Q>({Bernstein<Q>(a), b})), "a cone's equation is not known as such");
   if (difference.sign() == 0) return;
   for (const std::size_t end : {std::size_t{0}, a.size() - 1}) {

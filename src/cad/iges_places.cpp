@@ -1,5 +1,7 @@
 #include "torse/cad/iges_places.hpp"
 
+#include <fmt/format.h>
+
 #include <IGESBasic_SingularSubfigure.hxx>
 #include <IGESGeom_TransformationMatrix.hxx>
 #include <IGESSolid_SolidAssembly.hxx>
@@ -17,6 +19,10 @@ using Entity = Handle(IGESData_IGESEntity);
 using Maps = std::vector<gp_GTrsf>;
 
 constexpr int definition = 308;
+
+/// Ways from a surface up through its instances, each step counted, and how many lie within each other.
+constexpr std::size_t most_steps = 1'000'000;
+constexpr std::size_t deepest = 1000;
 
 /// Solids (186), their shells (514) and instances (430), assemblies of solids (184), definitions of subfigures (308)
 /// and their instances.
@@ -66,6 +72,10 @@ class Walk {
     if (std::ranges::find(path_, entity) != path_.end()) {
       throw Unreadable("expected instances that are no parts of themselves");
     }
+    if (path_.size() == deepest || ++steps_ > most_steps) {
+      throw Unreadable(fmt::format(
+          "expected instances at most {} deep, and at most {} steps through those of a surface", deepest, most_steps));
+    }
     path_.push_back(entity);
     bool top = true;
     for (Interface_EntityIterator above = graph_.Sharings(entity); above.More(); above.Next()) {
@@ -90,6 +100,7 @@ class Walk {
   Handle(IGESData_IGESModel) model_;
   const Interface_Graph& graph_;
   std::vector<Entity> path_;
+  std::size_t steps_ = 0;
   std::set<CadPlacement> seen_;
   Maps maps_;
 };

@@ -63,11 +63,15 @@ OutputFormat format_of(const std::string& file) {
   throw UsageError(fmt::format("--output: expected an extension among {}, found {}", known, in_quotes(file)));
 }
 
+bool is_written(std::string_view extension) {
+  constexpr std::array<std::string_view, 6> others{".svg", ".dxf", ".html", ".csv", ".xml", ".sarif"};
+  return std::ranges::any_of(extensions, [&](const Extension& e) { return extension == e.text; }) ||
+         std::ranges::count(others, extension) > 0;
+}
+
 void require_json_name(const std::string& option, const std::string& file) {
-  constexpr std::array<std::string_view, 3> others{".svg", ".dxf", ".html"};
   const std::string extension = extension_of(file);
-  const auto other = [&](const Extension& e) { return extension == e.text && e.format != OutputFormat::json; };
-  if (!std::ranges::any_of(extensions, other) && std::ranges::count(others, extension) == 0) return;
+  if (extension == ".json" || !is_written(extension)) return;
   throw UsageError(fmt::format("{}: expected a name for torse's JSON, found {}; torse convert writes other formats",
                                option, in_quotes(file)));
 }

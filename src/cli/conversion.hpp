@@ -1,5 +1,5 @@
 // What torse convert makes of the faces of a file.
-//   OutputFormat, format_of       by the extension          require_json_name     where there is one only
+//   OutputFormat, format_of       by the extension          is_written, require_json_name     where there is one only
 //   Conversion                    the bytes, and what there is to say about them
 //   scaled_surface                in another unit
 //   convert_to_mesh               OBJ, STL, glTF          convert_to_cad      STEP, IGES
@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "torse/cli/faces.hpp"
@@ -22,6 +23,9 @@ enum class OutputFormat { json, step, iges, obj, stl, gltf, glb };
 
 /// The format that a file's extension names, in any case. Throws UsageError listing all of them.
 OutputFormat format_of(const std::string& file);
+
+/// Whether torse writes files of this extension, ".step", be they surfaces, plates, pages or reports.
+bool is_written(std::string_view extension);
 
 /// Throws UsageError where the name of a file for torse's JSON, or "-", ends like that of another format that torse
 /// writes. `option` is where it was given.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "torse/cli/command.hpp"
+#include "torse/cli/conversion.hpp"
 #include "torse/cli/faces.hpp"
 #include "torse/cli/html_report.hpp"
 #include "torse/io/text.hpp"
@@ -52,13 +53,9 @@ constexpr std::array<OneFormat, 6> one_format{{{"--json", "JSON", ".json"},
                                                {"--csv", "CSV", ".csv"},
                                                {"--svg", "SVG", ".svg"}}};
 
-/// The endings of all that torse writes.
-constexpr std::array<std::string_view, 15> endings{".json", ".step", ".stp", ".iges", ".igs", ".obj", ".stl",  ".gltf",
-                                                   ".glb",  ".svg",  ".dxf", ".html", ".csv", ".xml", ".sarif"};
-
 void require_fitting_name(const OneFormat& own, const std::string& file) {
   const std::string ending = extension_of(file);
-  if (ending == own.usual || ending == own.other || std::ranges::count(endings, ending) == 0) return;
+  if (ending == own.usual || ending == own.other || !is_written(ending)) return;
   throw UsageError(fmt::format("{}: expected a name for {}, found {}", own.option, own.format, in_quotes(file)));
 }
 

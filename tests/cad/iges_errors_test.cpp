@@ -17,8 +17,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::string name(int entity) { return std::to_string(entity); }
-
 /// A square, as the parameters of entity 128.
 const std::string square =
     "1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,1.,0.,0.,0.,1.,0.,1.,1.,0.,0.,1.,0.,1.";
@@ -76,9 +74,9 @@ TEST(IgesErrors, ASurfaceThatLacksSomething) {
   expect_refused("check",
                  {{"ruled", [](IgesText& iges) { iges.add(118, "0,0,0,1", {.form = 1}); }, "DE : 1 type : 118: "},
                   {"tabulated", [](IgesText& iges) { iges.add(122, "0,0.3,0.1,4."); }, "DE : 1 type : 122: "},
-                  {"turned, no generatrix", [](IgesText& iges) { iges.add(120, name(floor_line(iges)) + ",0,0.,1."); },
+                  {"turned, no generatrix", [](IgesText& iges) { iges.add(120, text(floor_line(iges)) + ",0,0.,1."); },
                    "DE : 3 type : 120: "},
-                  {"turned, no axis", [](IgesText& iges) { iges.add(120, "0," + name(floor_line(iges)) + ",0.,1."); },
+                  {"turned, no axis", [](IgesText& iges) { iges.add(120, "0," + text(floor_line(iges)) + ",0.,1."); },
                    "DE : 3 type : 120: "},
                   {"offset", [](IgesText& iges) { iges.add(140, "0.,0.,1.,0.1,0"); }, "DE : 1 type : 140: "},
                   {"matrix",
@@ -102,7 +100,7 @@ TEST(IgesErrors, CurvesThatAreNoRails) {
       {"ruled from a chain",
        [](IgesText& iges) {
          const int line = floor_line(iges);
-         const int chain = iges.add(102, "2," + name(line) + "," + name(line), {.dependent = true});
+         const int chain = iges.add(102, "2," + text(line) + "," + text(line), {.dependent = true});
          iges.ruled(chain, line, 0, 1, {.form = 1});
        },
        "ruled surface: its curve is an IGES entity 102"},
@@ -112,18 +110,18 @@ TEST(IgesErrors, CurvesThatAreNoRails) {
          iges.ruled(c, damaged_line(iges), 0, 1, {.form = 1});
        },
        "ruled surface: DE : 3 type : 110: "},
-      {"tabulated along a point", [](IgesText& iges) { iges.add(122, name(point(iges)) + ",0.3,0.1,4."); },
+      {"tabulated along a point", [](IgesText& iges) { iges.add(122, text(point(iges)) + ",0.3,0.1,4."); },
        "extrusion: its curve is an IGES entity 116"},
       {"tabulated along a damaged line",
-       [](IgesText& iges) { iges.add(122, name(damaged_line(iges)) + ",0.3,0.1,4."); },
+       [](IgesText& iges) { iges.add(122, text(damaged_line(iges)) + ",0.3,0.1,4."); },
        "extrusion: DE : 1 type : 110: "},
       {"turned about a line, a curve",
        [](IgesText& iges) {
          const int axis = iges.line("0.,0.,0.", "0.,0.,1.");
-         iges.add(120, name(axis) + "," + name(iges.bezier(2, "1.,1.,1.", "1.,0.,0.,2.,0.,1.,1.,0.,2.")) + ",0.,1.");
+         iges.add(120, text(axis) + "," + text(iges.bezier(2, "1.,1.,1.", "1.,0.,0.,2.,0.,1.,1.,0.,2.")) + ",0.,1.");
        },
        "revolution: its meridian is curved"},
-      {"a sphere", [](IgesText& iges) { iges.add(196, name(point(iges)) + ",2.,0,0"); },
+      {"a sphere", [](IgesText& iges) { iges.add(196, text(point(iges)) + ",2.,0,0"); },
        "entity 196: OpenCASCADE makes no single face of it"}};
   for (const Case& one : cases) {
     SCOPED_TRACE(one.what);
@@ -174,23 +172,23 @@ TEST(IgesErrors, BoundariesThatAreNotUsed) {
   EXPECT_THAT(said([&](IgesText& iges) {
                 const int surface = ruled(iges);
                 const int contour =
-                    iges.add(142, "1," + name(surface) + ",0," + name(floor_line(iges)) + ",2", {.dependent = true});
-                iges.add(144, name(surface) + ",1,0," + name(contour));
+                    iges.add(142, "1," + text(surface) + ",0," + text(floor_line(iges)) + ",2", {.dependent = true});
+                iges.add(144, text(surface) + ",1,0," + text(contour));
               }),
               HasSubstr(not_used));
-  EXPECT_THAT(said([&](IgesText& iges) { iges.add(144, name(ruled(iges)) + ",0,0,0"); }), Not(HasSubstr(not_used)));
+  EXPECT_THAT(said([&](IgesText& iges) { iges.add(144, text(ruled(iges)) + ",0,0,0"); }), Not(HasSubstr(not_used)));
   // A hole in all of the surface.
   EXPECT_THAT(said([&](IgesText& iges) {
                 const int surface = ruled(iges);
                 const int hole =
-                    iges.add(142, "1," + name(surface) + ",0," + name(floor_line(iges)) + ",2", {.dependent = true});
-                iges.add(144, name(surface) + ",0,1,0," + name(hole));
+                    iges.add(142, "1," + text(surface) + ",0," + text(floor_line(iges)) + ",2", {.dependent = true});
+                iges.add(144, text(surface) + ",0,1,0," + text(hole));
               }),
               HasSubstr(not_used));
   // A trimmed surface whose contour is the surface: OpenCASCADE makes no face of it.
   EXPECT_THAT(said([](IgesText& iges) {
                 const int surface = iges.add(128, square, {.dependent = true});
-                iges.add(144, name(surface) + ",1,0," + name(surface));
+                iges.add(144, text(surface) + ",1,0," + text(surface));
               }),
               HasSubstr("its boundary cannot be used: the whole surface"));
 }
@@ -213,7 +211,7 @@ TEST(IgesErrors, CurvesOfAFile) {
                           [&](IgesText& iges) {
                             const int first = floor_line(iges);
                             const int second = iges.line("5.,0.,0.", "6.,0.,0.");
-                            iges.add(102, "2," + name(first) + "," + name(second), {.label = "c"});
+                            iges.add(102, "2," + text(first) + "," + text(second), {.label = "c"});
                             iges.add(110, d, {.label = "d"});
                           },
                           "expected two curves that bound no face, found one curve: 1 \"d\""}});

@@ -18,8 +18,6 @@ using Place = std::vector<double>;
 
 class IgesKinds : public IgesFiles {};
 
-std::string text(int number) { return std::to_string(number); }
-
 Place doubles(const Vec<Rational, 3>& x) { return {x[0].to_double(), x[1].to_double(), x[2].to_double()}; }
 
 const std::string square =

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cad/iges_text.hpp"
+#include "cad/iges_files.hpp"
 #include "support/program.hpp"
 #include "torse/cli/faces.hpp"
 #include "torse/cli/rails.hpp"
@@ -18,8 +18,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Place = std::vector<double>;
 
-std::string text(int number) { return std::to_string(number); }
-
 Place doubles(const Vec<Rational, 3>& x) { return {x[0].to_double(), x[1].to_double(), x[2].to_double()}; }
 
 const std::string square =
@@ -28,12 +26,9 @@ const std::string square =
 /// (x, y, z) goes to (-y, x, z).
 constexpr const char* quarter_turn = "0.,-1.,0.,0.,1.,0.,0.,0.,0.,0.,1.,0.";
 
-class IgesPlaces : public ::testing::Test {
+class IgesPlaces : public IgesFiles {
  public:
-  std::string file() const {
-    spill(scratch / "part.igs", iges.file());
-    return (scratch / "part.igs").string();
-  }
+  std::string file() const { return IgesFiles::file(iges); }
   int subfigure(int entity) { return iges.add(308, "0,3Hsub,1," + text(entity), {.dependent = true}); }
   /// Where all faces have the corner (1, 0, 0) of the square.
   std::vector<Place> corners() const {
@@ -45,7 +40,6 @@ class IgesPlaces : public ::testing::Test {
     return list;
   }
   IgesText iges;
-  Scratch scratch;
 };
 
 /// (1, 0, 0) is scaled to (2, 0, 0), turned to (0, 2, 0) by the matrix of the last instance, and moved.
@@ -152,6 +146,31 @@ TEST_F(IgesPlaces, InstancesThatAreUnsound) {
   iges.add(308, "1,3Hsub,2," + text(face) + ",5", {.dependent = true});
   iges.add(408, "3,0.,0.,1.", {.dependent = true});
   EXPECT_THAT(error(), HasSubstr("part.igs: expected instances that are no parts of themselves"));
+}
+
+/// Each subfigure holds the one before so many times, at other heights.
+TEST_F(IgesPlaces, InstancesHaveALimit) {
+  const auto said = [&](int levels, int times) {
+    iges = IgesText();
+    int below = iges.add(128, square, {.dependent = true});
+    for (int level = 0; level < levels; ++level) {
+      const std::string sub = text(subfigure(below));
+      std::string inner = text(times);
+      for (int i = 0; i < times; ++i) {
+        below = iges.add(408, sub + ",0.,0.," + text(i << level) + ".", {.dependent = true});
+        inner += "," + text(below);
+      }
+      if (times > 1) below = iges.add(308, "0,3Hall," + inner, {.dependent = true});
+    }
+    if (times > 1) iges.add(408, text(below) + ",0.,0.,0.");
+    const ProgramResult result = run_program({"check", file()});
+    return result.out + result.err;
+  };
+  const std::string limit = "part.igs: expected instances at most 1000 deep, and at most 1000000 steps";
+  EXPECT_THAT(said(499, 1), HasSubstr("developable"));
+  EXPECT_THAT(said(500, 1), HasSubstr(limit));
+  EXPECT_THAT(said(7, 2), HasSubstr("128 of 128 developable"));
+  EXPECT_THAT(said(30, 2), HasSubstr(limit));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // IGES files written by hand.
-//   IgesText       collects entities; `file` is the whole text in lines of 80 columns
+//   IgesText       collects entities; `file` is the whole text in lines of 80 columns       text      their names
 #pragma once
 
 #include <cstdio>
@@ -7,6 +7,9 @@
 #include <vector>
 
 namespace torse::testing {
+
+/// The name of an entity, or another whole number, as a parameter.
+inline std::string text(int number) { return std::to_string(number); }
 
 /// Entities are named by the number of their directory entry, as the format has it.
 class IgesText {

@@ -18,8 +18,6 @@ using Place = std::vector<double>;
 
 class IgesUnits : public IgesFiles {};
 
-std::string text(int number) { return std::to_string(number); }
-
 Place doubles(const Vec<Rational, 3>& x) { return {x[0].to_double(), x[1].to_double(), x[2].to_double()}; }
 
 void expect_near(const Vec<Rational, 3>& x, const Place& expected) {
