@@ -1,13 +1,12 @@
 #include "torse/cad/iges_places.hpp"
 
-#include <fmt/format.h>
-
 #include <IGESBasic_SingularSubfigure.hxx>
 #include <IGESGeom_TransformationMatrix.hxx>
 #include <IGESSolid_SolidAssembly.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "torse/cad/face.hpp"
 #include "torse/cad/read.hpp"
@@ -73,8 +72,8 @@ class Walk {
       throw Unreadable("expected instances that are no parts of themselves");
     }
     if (path_.size() == deepest || ++steps_ > most_steps) {
-      throw Unreadable(fmt::format(
-          "expected instances at most {} deep, and at most {} steps through those of a surface", deepest, most_steps));
+      throw Unreadable("expected instances at most " + std::to_string(deepest) + " deep, and at most " +
+                       std::to_string(most_steps) + " steps through those of a surface");
     }
     path_.push_back(entity);
     bool top = true;

@@ -170,7 +170,7 @@ TEST_F(IgesPlaces, InstancesHaveALimit) {
   EXPECT_THAT(said(499, 1), HasSubstr("developable"));
   EXPECT_THAT(said(500, 1), HasSubstr(limit));
   EXPECT_THAT(said(7, 2), HasSubstr("128 of 128 developable"));
-  EXPECT_THAT(said(30, 2), HasSubstr(limit));
+  EXPECT_THAT(said(24, 2), HasSubstr(limit));
 }
 
 }  // namespace
