@@ -157,7 +157,7 @@ TEST_F(IgesPlaces, InstancesHaveALimit) {
       const std::string sub = text(subfigure(below));
       std::string inner = text(times);
       for (int i = 0; i < times; ++i) {
-        below = iges.add(408, sub + ",0.,0.," + text(i << level) + ".", {.dependent = true});
+        below = iges.add(408, sub + ",0.,0.," + text(i == 0 ? 0 : 1 << level) + ".", {.dependent = true});
         inner += "," + text(below);
       }
       if (times > 1) below = iges.add(308, "0,3Hall," + inner, {.dependent = true});
