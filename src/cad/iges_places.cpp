@@ -20,7 +20,7 @@ using Maps = std::vector<gp_GTrsf>;
 constexpr int definition = 308;
 
 /// Ways from a surface up through its instances, each step counted, and how many lie within each other.
-constexpr std::size_t most_steps = 1'000'000;
+constexpr std::size_t most_steps = 200'000;
 constexpr std::size_t deepest = 1000;
 
 /// Solids (186), their shells (514) and instances (430), assemblies of solids (184), definitions of subfigures (308)

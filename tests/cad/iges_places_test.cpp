@@ -166,7 +166,7 @@ TEST_F(IgesPlaces, InstancesHaveALimit) {
     const ProgramResult result = run_program({"check", file()});
     return result.out + result.err;
   };
-  const std::string limit = "part.igs: expected instances at most 1000 deep, and at most 1000000 steps";
+  const std::string limit = "part.igs: expected instances at most 1000 deep, and at most 200000 steps";
   EXPECT_THAT(said(499, 1), HasSubstr("developable"));
   EXPECT_THAT(said(500, 1), HasSubstr(limit));
   EXPECT_THAT(said(7, 2), HasSubstr("128 of 128 developable"));
