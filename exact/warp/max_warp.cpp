@@ -153,6 +153,7 @@ class WarpRun {
     const Surface<WarpBall, D> surface = converted<WarpBall, Rational, D>(
         surface_->knots, surface_->c, surface_->d, [](const Rational& x) { return WarpBall::rational(x.text()); });
     std::vector<BernsteinQuotient<WarpBall>> quotients;
+    quotients.reserve(pieces.size());
     for (const int k : pieces) quotients.push_back(quotient_of(sine_forms_of(surface, k)));
     return quotients;
   }

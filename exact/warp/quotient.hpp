@@ -117,7 +117,8 @@ class RoundedQuotient {
       most = std::max(most, (b_[i] + numerator_error_) / (b_[size_ + i] - denominator_error_));
       nominal = std::max(nominal, b_[i] / b_[size_ + i]);
     }
-    if (!(least > denominator_error_)) return {detail::infinity, least > 0 ? nominal : detail::infinity};
+    if (!(least > 0)) nominal = detail::infinity;
+    if (!(least > denominator_error_)) most = detail::infinity;
     return {most * rounding::up, nominal};
   }
 

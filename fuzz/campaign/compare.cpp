@@ -99,6 +99,7 @@ std::vector<Difference> compare(Store& a, Store& b) {
   std::vector<Series> all;
   std::set_union(in_a.begin(), in_a.end(), in_b.begin(), in_b.end(), std::back_inserter(all));
   std::vector<Difference> list;
+  list.reserve(all.size());
   for (const Series& series : all) list.push_back(compare_series(a, b, series));
   return list;
 }

@@ -19,7 +19,7 @@ struct Series {
   std::string property;
   std::string effort;
 
-  friend auto operator<=>(const Series&, const Series&) = default;
+  friend auto operator<=>(const Series&, const Series&) = default;  // NOLINT(modernize-use-nullptr): Clang 14 errs
 };
 
 /// One of `total` parts, from 0.

@@ -100,6 +100,7 @@ class Bernstein {
   Bernstein derivative() const {
     if (degree() == 0) return Bernstein({from_int<S>(0)});
     std::vector<S> b;
+    b.reserve(static_cast<std::size_t>(degree()));
     for (int i = 0; i < degree(); ++i) b.push_back(from_int<S>(degree()) * ((*this)[i + 1] - (*this)[i]));
     return Bernstein(std::move(b));
   }

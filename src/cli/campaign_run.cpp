@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <random>
@@ -113,8 +112,7 @@ fuzz::RunInfo run_info(const RunOptions& options, const fuzz::Plan& plan, const 
 std::function<void(const fuzz::Advance&)> progress_line(bool shown) {
   if (!shown) return {};
   return [](const fuzz::Advance& advance) {
-    const bool countable =
-        advance.left != std::numeric_limits<std::uint64_t>::max() && advance.left < fuzz::Seeds::most / 2;
+    const bool countable = advance.left < fuzz::Seeds::most / 2;
     std::fprintf(stderr, "\r\033[K[%s%s] %s cases, %s failed", fmt::format("{}", advance.units).c_str(),
                  countable ? fmt::format("/{}", advance.left).c_str() : "", fmt::format("{}", advance.cases).c_str(),
                  fmt::format("{}", advance.failed).c_str());

@@ -115,19 +115,25 @@ KnotList<double> even_knots(const quasi::FitOptions& options) {
 MethodResult run_paper(const quasi::Rails& rails, const quasi::FitOptions& options) {
   const KnotList<double> knots = even_knots(options);
   quasi::PaperFit fit = quasi::paper_fit(rails, knots, {.ends = options.ends, .check_gradient = true});
-  return {.sigma = mapping_of(knots, on_the_rail(fit.beta, options.ends)), .paper = std::move(fit)};
+  MethodResult result{.sigma = mapping_of(knots, on_the_rail(fit.beta, options.ends))};
+  result.paper = std::move(fit);
+  return result;
 }
 
 MethodResult run_discrete(const quasi::Rails& rails, quasi::FitOptions options) {
   options.degree = 1;
   const std::size_t samples = static_cast<std::size_t>(options.coefficients);
   quasi::PaperFit fit = quasi::discrete_fit(rails, {.samples = samples, .ends = options.ends, .check_gradient = true});
-  return {.sigma = mapping_of(even_knots(options), on_the_rail(fit.beta, options.ends)), .paper = std::move(fit)};
+  MethodResult result{.sigma = mapping_of(even_knots(options), on_the_rail(fit.beta, options.ends))};
+  result.paper = std::move(fit);
+  return result;
 }
 
 MethodResult run_warp(const quasi::Rails& rails, const quasi::FitOptions& options) {
   quasi::Fit fit = quasi::fit_rails(rails, options);
-  return {.sigma = fit.mapping, .fit = std::move(fit)};
+  MethodResult result{.sigma = fit.mapping};
+  result.fit = std::move(fit);
+  return result;
 }
 
 MethodResult run_method(const quasi::Rails& rails, const quasi::FitOptions& options, FitMethod method) {

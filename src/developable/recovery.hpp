@@ -32,7 +32,7 @@ std::array<S, 4> dependence_of(const std::array<Vec<S, 4>, 4>& rows, const std::
     const auto minor = [&](std::size_t a, std::size_t b, std::size_t c) {
       return det3<S>(reduced[a], reduced[b], reduced[c]);
     };
-    const std::array<S, 4> x{minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
+    std::array<S, 4> x{minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
     for (const S& coefficient : x) {
       if (!possibly(is_zero(coefficient))) return x;
     }

@@ -110,7 +110,7 @@ PolynomialRow<S, 4> local_row(const std::vector<BinaryForm<S>>& basis, std::span
 /// proportional everywhere, `gap` is zero; where the rulings sweep a line only, `across` is.
 template <ExactField S>
 StripForms<S> strip_forms(const KnotList<S>& u, std::span<const Vec<S, 4>> p, std::span<const Vec<S, 4>> q, int k) {
-  using namespace detail;
+  using detail::affine_speed, detail::local_row, detail::PolynomialVector, detail::quotient, detail::square_without;
   const std::vector<BinaryForm<S>> basis = basis_forms(u, k);
   const PolynomialRow<S, 4> c = local_row<S>(basis, p, k);
   const PolynomialRow<S, 4> d = local_row<S>(basis, q, k);
