@@ -103,8 +103,9 @@ class Interval {
   /// All numbers.
   static Interval line() { return raw(-detail::infinity, detail::infinity); }
 
-  double lower() const { return lower_; }
-  double upper() const { return upper_; }
+  /// The ends; one that is zero is +0.
+  double lower() const { return lower_ + 0.0; }
+  double upper() const { return upper_ + 0.0; }
   bool contains(double x) const { return lower_ <= x && x <= upper_; }
 
   friend Interval operator+(const Interval& x, const Interval& y) {

@@ -5,6 +5,7 @@
 //   KnotList::from_list    a list of either convention, told apart by its length
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,31 +22,21 @@ template <Field S>
 class KnotList {
  public:
   /// Takes the papers' list u_0..u_{L+n-1}. Throws InvalidInput naming "degree" or "knots[i]".
-  KnotList(int degree, std::vector<S> knots) : degree_(degree), u_(std::move(knots)) {
-    if (degree < 1) throw InvalidInput("degree", "expected at least 1, found " + std::to_string(degree));
-    if (u_.size() < 2 * static_cast<std::size_t>(degree)) {
-      throw InvalidInput("knots", "expected at least " + std::to_string(2 * degree) + " for degree " +
-                                      std::to_string(degree) + ", found " + std::to_string(u_.size()));
-    }
-    check_order();
-    check_multiplicity();
-  }
+  KnotList(int degree, std::vector<S> knots) : KnotList(degree, std::move(knots), 0) {}
 
   /// Takes a list for control vertices 0..last in the papers' convention (last + degree knots) or the CAD one (two
-  /// more, the first and the last of which are dropped), told apart by its length. Throws InvalidInput.
+  /// more, the first and the last of which are dropped), told apart by its length. Throws InvalidInput, which counts
+  /// the knots of the list as it was given.
   static KnotList from_list(int degree, int last, std::vector<S> knots) {
     const std::size_t papers = static_cast<std::size_t>(last + degree);
-    if (knots.size() == papers + 2) {
-      check_outer(knots);
-      knots.erase(knots.begin());
-      knots.pop_back();
-    } else if (knots.size() != papers) {
+    if (knots.size() != papers && knots.size() != papers + 2) {
       throw InvalidInput("knots", "expected " + std::to_string(papers) + " (papers' list) or " +
                                       std::to_string(papers + 2) + " (CAD list) for degree " + std::to_string(degree) +
                                       " and " + std::to_string(last + 1) + " control points, found " +
                                       std::to_string(knots.size()));
     }
-    return KnotList(degree, std::move(knots));
+    const int outer = knots.size() == papers ? 0 : 1;
+    return KnotList(degree, std::move(knots), outer);
   }
 
   /// The CAD list: the first and the last knot once more.
@@ -94,6 +85,20 @@ class KnotList {
   Truth clamped() const { return equal(u_.front(), domain_begin()) & equal(u_.back(), domain_end()); }
 
  private:
+  /// `outer` more knots at either end, which have their place in the order and are dropped.
+  KnotList(int degree, std::vector<S> knots, int outer) : degree_(degree), u_(std::move(knots)) {
+    if (degree < 1) throw InvalidInput("degree", "expected at least 1, found " + std::to_string(degree));
+    const int least = 2 * (degree + outer);
+    if (std::ssize(u_) < least) {
+      throw InvalidInput("knots", "expected at least " + std::to_string(least) + " for degree " +
+                                      std::to_string(degree) + ", found " + std::to_string(u_.size()));
+    }
+    check_order();
+    u_.erase(u_.begin(), u_.begin() + outer);
+    u_.erase(u_.end() - outer, u_.end());
+    check_multiplicity(outer);
+  }
+
   void check_order() const {
     if constexpr (OrderedField<S>) {
       for (int i = 1; i < size(); ++i) {
@@ -106,10 +111,11 @@ class KnotList {
     }
   }
 
-  void check_multiplicity() const {
+  /// After `outer` knots that were dropped.
+  void check_multiplicity(int outer) const {
     for (int i = 0; i < last(); ++i) {
       if (definitely(equal((*this)[i], (*this)[i + degree_]))) {
-        throw InvalidInput("knots[" + std::to_string(i + degree_) + "]",
+        throw InvalidInput("knots[" + std::to_string(outer + i + degree_) + "]",
                            "expected a knot at most " + std::to_string(degree_) + " times, found " +
                                as_text((*this)[i]) + " more often");
       }
@@ -117,20 +123,6 @@ class KnotList {
     if (definitely(equal(domain_begin(), domain_end()))) {
       throw InvalidInput("knots", "expected a domain of positive length, found [" + as_text(domain_begin()) + ", " +
                                       as_text(domain_end()) + "]");
-    }
-  }
-
-  static void check_outer(const std::vector<S>& cad) {
-    if constexpr (OrderedField<S>) {
-      if (definitely(less(cad[1], cad[0]))) {
-        throw InvalidInput("knots[1]",
-                           "expected a non-decreasing list, found " + as_text(cad[1]) + " after " + as_text(cad[0]));
-      }
-      const std::size_t m = cad.size() - 1;
-      if (definitely(less(cad[m], cad[m - 1]))) {
-        throw InvalidInput("knots[" + std::to_string(m) + "]", "expected a non-decreasing list, found " +
-                                                                   as_text(cad[m]) + " after " + as_text(cad[m - 1]));
-      }
     }
   }
 

@@ -79,6 +79,20 @@ TEST(PointSystem, AContradictionIsACombinationOfTheEquations) {
   EXPECT_EQ(right, Pair(Q(0), Q(1)));
 }
 
+std::vector<Q> coefficients(const Form<Q>& f) { return {f.coefficient(0), f.coefficient(1)}; }
+
+/// The right sides are the unknown points e_0 and e_1, of which nothing is known but that they differ.
+TEST(PointSystem, RightSidesThatAreForms) {
+  PointSystem<Q, Form<Q>> system(1);
+  system.insert(form({2}), form({4, 6}));
+  system.insert(form({3}), form({6, 9}));  // 0 x_0 = 0
+  EXPECT_FALSE(system.contradiction());
+  EXPECT_EQ(coefficients(system.solution().front()), (std::vector<Q>{Q(2), Q(3)}));
+  system.insert(form({1}), form({2, 5}));
+  ASSERT_TRUE(system.contradiction());
+  EXPECT_EQ(coefficients(system.contradiction()->value), (std::vector<Q>{Q(0), Q(2)}));
+}
+
 TEST(PointSystem, BallsDoNotGuess) {
   using Box = Ball<128>;
   const Box third = Box(1) / Box(3);

@@ -149,6 +149,8 @@ TEST(Polynomial, Text) {
   EXPECT_EQ(as_text(Poly(std::vector<Q>{Q(-5), Q(0), Q(1), ratio<Q>(3, 2)})), "3/2 t^3 + t^2 - 5");
   EXPECT_EQ(as_text(Ratio(poly({1, 2}), poly({0, 2}))), "(t + 1/2)/(t)");
   EXPECT_EQ(as_text(Ratio(poly({1, 2}))), "2 t + 1");
+  const Polynomial<Ratio> nested(std::vector<Ratio>{Ratio(3), Ratio(), Ratio(poly({1, 2}))});
+  EXPECT_EQ(as_text(nested), "(2 t + 1) t^2 + 3");
 }
 
 TEST(Polynomial, TimesZeroIsTheZeroPolynomial) {
@@ -177,6 +179,12 @@ TEST(PolynomialFraction, IsReducedWithMonicDenominator) {
   EXPECT_FALSE(Ratio(poly({1}), poly({6, 3})).constant_value());
   EXPECT_THROW(Ratio(poly({1}), Poly()), DivisionByZero);
   EXPECT_THROW(Ratio(poly({1}), poly({6, 3}))(Q(-2)), DivisionByZero);
+}
+
+TEST(PolynomialFraction, AnIntegerIsOverOne) {
+  EXPECT_TRUE(Ratio(3).numerator() == poly({3}));
+  EXPECT_TRUE(Ratio(3).denominator() == poly({1}));
+  EXPECT_TRUE(Ratio().denominator() == poly({1}));
 }
 
 TEST(PolynomialFraction, ValueIsAHomomorphism) {

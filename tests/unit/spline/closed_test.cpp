@@ -37,9 +37,11 @@ Vec<Rational, 3> point(const Curve& curve, const Rational& t) {
 
 TEST(Closed, TellsLoopsFromOthers) {
   EXPECT_TRUE(closed(loop()));
-  Curve open = loop();
-  open.control.back() = row(q(3), q(0), q(0), q(2));
-  EXPECT_FALSE(closed(open));
+  for (const Row& end : {row(q(3), q(1), q(0), q(1)), row(q(3), q(0), q(1), q(1)), row(q(3), q(0), q(0), q(2))}) {
+    Curve open = loop();
+    open.control.back() = end;
+    EXPECT_FALSE(closed(open));
+  }
 }
 
 /// Points without weights; without n-fold knots at its ends the curve begins and ends between them.
@@ -80,9 +82,31 @@ TEST(Closed, RotatedRunsThroughTheSamePoints) {
   }
 }
 
+/// With the blossom f of [2, 4] and g of [1, 2]: f(2, 2) = g(2, 2) is two thirds of f(1, 2) and one of f(2, 4), and the
+/// rows of the second part are 3 times what they were, as 3 is the weight at the end and 1 that at the begin. The same
+/// for rows that are all 5 times as long.
+TEST(Closed, RotatedByHand) {
+  for (int factor : {1, 5}) {
+    Curve curve = loop();
+    for (Row& r : curve.control) r *= q(factor);
+    const Row middle = curve.control[1] * q(2, 3) + curve.control[2] * q(1, 3);
+    const Curve moved = rotated(curve, q(2));
+    EXPECT_EQ(moved.knots.list(), (std::vector<Rational>{q(2), q(2), q(4), q(4), q(5), q(5)}));
+    const std::vector<Row> expected{middle, curve.control[2], curve.control[3], curve.control[1] * q(3), middle * q(3)};
+    ASSERT_EQ(moved.control.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(moved.control[i], expected[i]) << i;
+  }
+}
+
 TEST(Closed, RotatedNeedsAParameterInside) {
-  EXPECT_THROW(rotated(loop(), q(1)), InvalidInput);
-  EXPECT_THROW(rotated(loop(), q(4)), InvalidInput);
+  for (const Rational& t : {q(1, 2), q(1), q(4), q(5)}) {
+    try {
+      static_cast<void>(rotated(loop(), t));
+      ADD_FAILURE() << t.text() << " is taken";
+    } catch (const InvalidInput& error) {
+      EXPECT_STREQ(error.what(), "t: expected a parameter inside the domain");
+    }
+  }
 }
 
 }  // namespace

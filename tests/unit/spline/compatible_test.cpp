@@ -74,6 +74,7 @@ TEST(Compatible, TwoCurvesGetOneKnotListAndStayThemselves) {
     expect_same(value(d, q(3 * i, 20)), value(parabola(), q(i, 20)));
   }
   const auto [e, f] = make_compatible(parabola(), cubic());
+  for (const Curve& curve : {c, d, e, f}) EXPECT_TRUE(definitely(curve.knots.clamped()));
   EXPECT_EQ(e.knots.list(), f.knots.list());
   EXPECT_EQ(e.knots.degree(), 3);
   expect_same(value(e, q(1, 7)), value(parabola(), q(1, 7)));

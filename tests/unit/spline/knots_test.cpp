@@ -75,25 +75,63 @@ TEST(KnotList, RejectsBadListsAndNamesThePlace) {
   EXPECT_EQ(place_of([] { return knots(2, {0, 0, 1, 1}); }), "");
 }
 
+/// What making a list says, or "" if it is accepted.
+template <class Make>
+std::string told(Make make) {
+  try {
+    static_cast<void>(make());
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// A list as it is given to from_list, for degree 2 and control vertices 0..last.
+KnotList<Q> given(int last, const std::vector<int>& list) {
+  return KnotList<Q>::from_list(2, last, std::vector<Q>(list.begin(), list.end()));
+}
+
 TEST(KnotList, TellsWhichKnotsAreOutOfOrder) {
-  const auto told = [](auto&& make) {
-    try {
-      make();
-    } catch (const InvalidInput& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
   const std::string rule = "expected a non-decreasing list, found ";
-  EXPECT_EQ(told([] { knots(2, {0, 2, 1, 3}); }), "knots[2]: " + rule + "1 after 2");
+  EXPECT_EQ(told([] { return knots(2, {0, 2, 1, 3}); }), "knots[2]: " + rule + "1 after 2");
+  EXPECT_EQ(told([] { return given(2, {5, 0, 1, 2, 3, 4}); }), "knots[1]: " + rule + "0 after 5");
+  EXPECT_EQ(told([] { return given(2, {0, 0, 1, 2, 3, 1}); }), "knots[5]: " + rule + "1 after 3");
+}
+
+/// The first and the last knot of a CAD list are dropped, but they count in what is said of the others.
+TEST(KnotList, CountsTheKnotsOfTheListThatWasGiven) {
+  const std::string order = "expected a non-decreasing list, found ";
+  const std::string often = "expected a knot at most 2 times, found ";
+  EXPECT_EQ(told([] { return given(3, {0, 0, 0, 3, 2, 4, 5}); }), "knots[4]: " + order + "2 after 3");
+  EXPECT_EQ(told([] { return given(3, {0, 0, 3, 2, 4}); }), "knots[3]: " + order + "2 after 3");
+  EXPECT_EQ(told([] { return given(3, {0, 1, 2, 2, 2, 4, 5}); }), "knots[4]: " + often + "2 more often");
+  EXPECT_EQ(told([] { return given(3, {1, 2, 2, 2, 5}); }), "knots[3]: " + often + "2 more often");
+  EXPECT_EQ(told([] { return given(3, {0, 0, 0, 1, 2, 2, 2}); }), "") << "the dropped knots do not count";
+}
+
+TEST(KnotList, TellsHowManyKnotsThereAreToBe) {
+  EXPECT_EQ(told([] { return knots(3, {0, 0, 0, 1}); }), "knots: expected at least 6 for degree 3, found 4");
+  EXPECT_EQ(told([] { return knots(3, {0, 0, 0, 1, 1}); }), "knots: expected at least 6 for degree 3, found 5");
+  EXPECT_EQ(told([] { return knots(3, {0, 1, 2}); }), "knots: expected at least 6 for degree 3, found 3");
+  EXPECT_EQ(told([] { return given(1, {0, 1, 2}); }), "knots: expected at least 4 for degree 2, found 3");
+  EXPECT_EQ(told([] { return given(1, {0, 1, 2, 3, 4}); }), "knots: expected at least 6 for degree 2, found 5");
   EXPECT_EQ(told([] {
-              KnotList<Q>::from_list(2, 2, {Q(5), Q(0), Q(1), Q(2), Q(3), Q(4)});
+              return given(3, {0, 0, 1, 2, 3, 4});
             }),
-            "knots[1]: " + rule + "0 after 5");
+            "knots: expected 5 (papers' list) or 7 (CAD list) for degree 2 and 4 control points, found 6");
+  EXPECT_EQ(told([] { return knots(0, {0, 1}); }), "degree: expected at least 1, found 0");
   EXPECT_EQ(told([] {
-              KnotList<Q>::from_list(2, 2, {Q(0), Q(0), Q(1), Q(2), Q(3), Q(1)});
+              return knots(3, {0, 0, 1, 1, 2, 2});
             }),
-            "knots[5]: " + rule + "1 after 3");
+            "knots: expected a domain of positive length, found [1, 1]");
+}
+
+TEST(Spline, TellsHowManyControlPointsThereAreToBe) {
+  using Points = std::vector<Vec<Q, 1>>;
+  EXPECT_EQ(told([] {
+              return Spline<Q, Vec<Q, 1>>(knots(2, {0, 0, 1, 1}), Points(2, Vec<Q, 1>(Q(0))));
+            }),
+            "points: expected 3 control points, found 2");
 }
 
 }  // namespace

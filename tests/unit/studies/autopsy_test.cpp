@@ -31,6 +31,27 @@ TEST(Shadow, IsTheDoubleAndTheExactValue) {
   EXPECT_EQ(record.operations().back().exact, ratio<Q>(-1, 3));
 }
 
+TEST(Shadow, AnOperationBelongsToTheInnermostFormulaThatIsNotOver) {
+  const RecordScope record;
+  const auto place = [&] {
+    static_cast<void>(Shadow(1));
+    return record.operations().back().place;
+  };
+  EXPECT_EQ(place(), -1);
+  {
+    const FormulaScope<Shadow> outer("outer", "c", 0);
+    EXPECT_EQ(place(), 0);
+    {
+      const FormulaScope<Shadow> inner("inner", "d", 2);
+      EXPECT_EQ(place(), 1);
+    }
+    EXPECT_EQ(place(), 0);
+  }
+  EXPECT_EQ(place(), -1);
+  ASSERT_EQ(record.places().size(), 2U);
+  EXPECT_EQ(record.places()[1].formula, "inner");
+}
+
 TEST(Shadow, ShippingCodeComputesTheSameDoubles) {
   const RecordScope record;
   const auto run = [](auto make) {
