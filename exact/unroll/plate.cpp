@@ -229,6 +229,7 @@ void measure_rulings(Plate& plate, const std::vector<Station>& kept, const std::
     if (!at_end && !std::ranges::binary_search(marks, kept[i].t)) continue;
     const auto bend = std::ranges::find(bends, kept[i].t, &Bend::t);
     const double degrees = bend == bends.end() ? 0 : bend->degrees;
+    // 0 - x, as -x is a negative zero where nothing is bent.
     plate.rulings.push_back({kept[i].t, i, before, error, mirrored ? 0 - degrees : degrees});
   }
 }

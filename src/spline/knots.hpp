@@ -5,7 +5,6 @@
 //   KnotList::from_list    a list of either convention, told apart by its length
 #pragma once
 
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,8 +87,8 @@ class KnotList {
   /// `outer` more knots at either end, which have their place in the order and are dropped.
   KnotList(int degree, std::vector<S> knots, int outer) : degree_(degree), u_(std::move(knots)) {
     if (degree < 1) throw InvalidInput("degree", "expected at least 1, found " + std::to_string(degree));
-    const int least = 2 * (degree + outer);
-    if (std::ssize(u_) < least) {
+    const std::size_t least = 2 * (static_cast<std::size_t>(degree) + static_cast<std::size_t>(outer));
+    if (u_.size() < least) {
       throw InvalidInput("knots", "expected at least " + std::to_string(least) + " for degree " +
                                       std::to_string(degree) + ", found " + std::to_string(u_.size()));
     }

@@ -30,12 +30,22 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Interval, FieldLaws, Interval, ScalarName);
 
 namespace {
 
+constexpr double inf = detail::infinity;
+constexpr double denormal = std::numeric_limits<double>::denorm_min();
+constexpr double largest = std::numeric_limits<double>::max();
+
+double above(double x) { return std::nextafter(x, inf); }
+
+/// A double of either sign between 2^exponent and twice that.
+double sized(Rng& rng, long exponent) {
+  const double mantissa = 1 + static_cast<double>(rng() >> 12) * 0x1p-52;
+  return (rng() % 2 == 0 ? 1 : -1) * std::ldexp(mantissa, static_cast<int>(exponent));
+}
+
 /// A double of any size, zero, subnormal and near overflow included.
 double hostile(Rng& rng) {
   if (rng() % 16 == 0) return 0;
-  const double mantissa = 1 + static_cast<double>(rng() >> 12) * 0x1p-52;
-  const int exponent = static_cast<int>(rng() % 4 == 0 ? integer(rng, -1074, 1023) : integer(rng, -40, 40));
-  return (rng() % 2 == 0 ? 1 : -1) * std::ldexp(mantissa, exponent);
+  return sized(rng, rng() % 4 == 0 ? integer(rng, -1074, 1023) : integer(rng, -40, 40));
 }
 
 Rational exact(double x) { return Rational::from_double(x); }
@@ -68,6 +78,25 @@ TEST(Interval, ContainsTheExactResultTightly) {
     expect_tight(a - b, exact(x) - exact(y));
     expect_tight(a * b, exact(x) * exact(y));
     if (y != 0) expect_tight(a / b, exact(x) / exact(y));
+  }
+}
+
+/// Away from the ends of the range each bound is the nearest double on its side.
+TEST(Interval, BoundsAreTheNearestOnes) {
+  const auto expect_largest_below = [](double bound, const Rational& value) {
+    EXPECT_LE(exact(bound), value);
+    EXPECT_LT(value, exact(above(bound)));
+  };
+  Rng rng(14);
+  for (int i = 0; i < 5000 && !testing::Test::HasFailure(); ++i) {
+    const double x = sized(rng, integer(rng, -300, 300));
+    const double y = sized(rng, integer(rng, -300, 300));
+    expect_largest_below(lower_sum(x, y), exact(x) + exact(y));
+    expect_largest_below(lower_product(x, y), exact(x) * exact(y));
+    expect_largest_below(lower_quotient(x, y), exact(x) / exact(y));
+    const double root = lower_root(std::abs(x));
+    EXPECT_LE(exact(root) * exact(root), exact(std::abs(x)));
+    EXPECT_EQ(upper_root(std::abs(x)), exact(root) * exact(root) == exact(std::abs(x)) ? root : above(root));
   }
 }
 
@@ -156,6 +185,56 @@ TEST(Interval, PredicatesSayOnlyWhatHoldsForAllElements) {
   }
   EXPECT_THROW(Interval::point(std::nan("")), InvalidInput);
   EXPECT_THROW(static_cast<void>(Interval(1) / Interval(0)), DivisionByZero);
+}
+
+/// From 2^-960 on the error of a product is a double; below, the bound is one double lower.
+TEST(Interval, TinyResults) {
+  EXPECT_EQ(lower_product(0x1p-480, 0x1p-480), 0x1p-960);
+  EXPECT_EQ(above(lower_product(0x1p-480, 0x1p-481)), 0x1p-961);
+  EXPECT_EQ(lower_product(denormal, 0.25), -denormal);
+  EXPECT_EQ(lower_quotient(0x1p-480, 0x1p480), 0x1p-960);
+  EXPECT_EQ(above(lower_quotient(0x1p-481, 0x1p480)), 0x1p-961);
+  EXPECT_EQ(above(lower_quotient(0x1p-1000, 0x1p-1000)), 1);
+  EXPECT_EQ(lower_quotient(-denormal, 4), -denormal);
+  EXPECT_EQ(above(lower_root(0x1p-1000)), 0x1p-500);
+  EXPECT_EQ(upper_root(0x1p-1000), above(0x1p-500));
+}
+
+TEST(Interval, OverflowIsNoInfinity) {
+  EXPECT_EQ(lower_sum(largest, largest), largest);
+  EXPECT_EQ(lower_product(largest, 2), largest);
+  EXPECT_EQ(lower_quotient(largest, 0.5), largest);
+  EXPECT_EQ(lower_sum(-largest, -largest), -inf);
+  EXPECT_EQ(lower_product(-largest, 2), -inf);
+}
+
+TEST(Interval, InfiniteEnds) {
+  EXPECT_EQ(lower_sum(-inf, 3), -inf);
+  EXPECT_EQ(lower_product(-2, inf), -inf);
+  EXPECT_EQ(lower_product(inf, -2), -inf);
+  EXPECT_EQ(lower_product(-2, -inf), inf);
+  EXPECT_EQ(lower_product(-inf, 2), -inf);
+  EXPECT_EQ(lower_product(0, inf), 0);
+  EXPECT_EQ(lower_product(-inf, 0), 0);
+  EXPECT_EQ(lower_quotient(inf, -2), -inf);
+  EXPECT_EQ(lower_quotient(inf, 2), inf);
+  EXPECT_EQ(lower_quotient(-inf, 2), -inf);
+  EXPECT_EQ(lower_quotient(inf, inf), -inf);
+  EXPECT_EQ(lower_quotient(-inf, inf), -inf);
+  EXPECT_EQ(lower_quotient(3, inf), -denormal);
+  EXPECT_EQ(lower_quotient(3, -inf), -denormal);
+  EXPECT_EQ(lower_quotient(0, inf), 0);
+  for (double end : {0.0, inf}) {
+    EXPECT_EQ(lower_root(end), end);
+    EXPECT_EQ(upper_root(end), end);
+  }
+}
+
+TEST(Interval, NoEndIsANegativeZero) {
+  for (const Interval& x : {Interval(1) - Interval(1), -Interval(0), Interval::point(-0.0)}) {
+    EXPECT_FALSE(std::signbit(x.lower()));
+    EXPECT_FALSE(std::signbit(x.upper()));
+  }
 }
 
 }  // namespace

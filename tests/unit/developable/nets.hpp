@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/knots.hpp"
+#include "support/refusal.hpp"
 #include "torse/developable/condition.hpp"
 #include "torse/exact/rational/rational.hpp"
 #include "torse/spline/curve.hpp"
@@ -43,17 +44,6 @@ inline std::vector<Point3> points(int count, std::uint64_t seed = 1) {
 /// Whether the determinant of every piece vanishes identically.
 inline bool developable(const KnotList<Q>& u, const std::vector<Point3>& c, const std::vector<Point3>& d) {
   return !find_witness<Q, 3>(u, c, d);
-}
-
-/// The place that a call's error names, or "" if it does not throw.
-template <class Call>
-std::string place_of(Call call) {
-  try {
-    static_cast<void>(call());
-  } catch (const InvalidInput& error) {
-    return error.place();
-  }
-  return {};
 }
 
 }  // namespace torse::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "splines.hpp"
+#include "support/refusal.hpp"
 #include "torse/algebra/bernstein.hpp"
 
 namespace torse::test {
@@ -129,20 +130,11 @@ TEST(Homogeneous, RoundTripAndErrors) {
   const WeightedPoints<Q, 2> back = dehomogenize(rows);
   EXPECT_EQ(back.points, net.points);
   EXPECT_EQ(back.weights, net.weights);
-  const auto place = [](auto call) -> std::string {
-    try {
-      call();
-    } catch (const InvalidInput& error) {
-      return error.place();
-    }
-    return {};
-  };
   net.weights[1] = Q(0);
-  EXPECT_EQ(place([&] { static_cast<void>(homogeneous(net)); }), "weights[1]");
+  EXPECT_EQ(place_of([&] { return homogeneous(net); }), "weights[1]");
   net.weights.pop_back();
-  EXPECT_EQ(place([&] { static_cast<void>(homogeneous(net)); }), "weights");
-  EXPECT_EQ(place([] { static_cast<void>(dehomogenize(std::vector<Vec<Q, 3>>{Vec<Q, 3>(Q(0), Q(1), Q(1))})); }),
-            "weights[0]");
+  EXPECT_EQ(place_of([&] { return homogeneous(net); }), "weights");
+  EXPECT_EQ(place_of([] { return dehomogenize(std::vector<Vec<Q, 3>>{Vec<Q, 3>(Q(0), Q(1), Q(1))}); }), "weights[0]");
 }
 
 }  // namespace
